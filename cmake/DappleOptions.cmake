@@ -1,0 +1,31 @@
+# Build options and the compile flags that every target shares.
+option(DAPPLE_BUILD_TESTS "Build the test suite" ON)
+option(DAPPLE_BUILD_BENCH "Build the benchmarks" OFF)
+option(DAPPLE_BUILD_FUZZERS "Build the fuzz targets (clang only)" OFF)
+option(DAPPLE_WERROR "Treat warnings as errors" OFF)
+set(DAPPLE_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(dapple_flags INTERFACE)
+# Contraction to fused multiply-add would make the bits depend on the processor and compiler.
+target_compile_options(dapple_flags INTERFACE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow)
+if(DAPPLE_WERROR)
+  target_compile_options(dapple_flags INTERFACE -Werror)
+endif()
+if(DAPPLE_SANITIZE)
+  target_compile_options(dapple_flags INTERFACE -fsanitize=${DAPPLE_SANITIZE}
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(dapple_flags INTERFACE -fsanitize=${DAPPLE_SANITIZE})
+endif()

@@ -1,0 +1,77 @@
+#include "accel/accel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+
+#include "accel/linear_accel.h"
+
+namespace dapple {
+namespace {
+
+constexpr std::array<std::string_view, 3> kAccelNames = {"linear", "median", "fast"};
+
+// A few units in the last place of the largest coordinate that went into a position.
+constexpr float kRelativeError = 0x1p-21f;
+
+SurfacePoint locate_on_sphere(const Vec3f& near_surface, const Vec3f& centre, float radius) {
+  const Vec3f normal = normalize(near_surface - centre);
+  const float size = std::fabs(radius);
+  SurfacePoint point;
+  point.position = centre + size * normal;  // back onto the sphere: t has the error of its root
+  point.outward = radius < 0.0f ? -normal : normal;
+  point.error = kRelativeError * (max_abs_component(centre) + size);
+  return point;
+}
+
+SurfacePoint locate_on_rectangle(Vec3f position, RectangleAxes axes, float k) {
+  SurfacePoint point;
+  position[axes.k] = k;
+  point.position = position;
+  point.outward[axes.k] = 1.0f;
+  point.error = kRelativeError * max_abs_component(position);
+  return point;
+}
+
+}  // namespace
+
+Hit Accel::intersect(const Ray& ray) const {
+  Hit hit;
+  intersect(std::span(&ray, 1), std::span(&hit, 1));
+  return hit;
+}
+
+bool Accel::occluded(const Ray& ray) const {
+  std::uint8_t result = 0;
+  occluded(std::span(&ray, 1), std::span(&result, 1));
+  return result != 0;
+}
+
+SurfacePoint Accel::locate(const Ray& ray, const Hit& hit) const {
+  const auto number = [&](std::size_t k) { return leaf_float(leaf_words_, hit.lane, k); };
+  const Vec3f position = ray.at(hit.t);
+  if (hit.lane.kind() == ShapeKind::sphere) {
+    return locate_on_sphere(position, {number(0), number(1), number(2)}, number(3));
+  }
+  return locate_on_rectangle(position, rectangle_axes(hit.lane.kind()), number(4));
+}
+
+std::string_view accel_name(AccelKind kind) { return kAccelNames[static_cast<std::size_t>(kind)]; }
+
+Expected<AccelKind> parse_accel_kind(std::string_view name) {
+  for (std::size_t i = 0; i < kAccelNames.size(); ++i) {
+    if (kAccelNames[i] == name) return static_cast<AccelKind>(i);
+  }
+  return fail(Errc::usage, std::string(name),
+              fmt::format("unknown acceleration structure; there are {}",
+                          fmt::join(kAccelNames, ", ")));
+}
+
+std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene) {
+  static_cast<void>(kind);
+  return std::make_unique<LinearAccel>(scene);
+}
+
+}  // namespace dapple

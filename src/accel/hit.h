@@ -1,0 +1,22 @@
+// What a ray found.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "scene/leaf.h"
+#include "scene/scene_view.h"
+
+namespace dapple {
+
+struct Hit {
+  float t = std::numeric_limits<float>::infinity();  // in units of the ray's direction
+  PrimId prim = kNoPrim;
+  LeafRef lane;  // the one primitive that was hit, inside its leaf
+
+  bool found() const { return prim != kNoPrim; }
+  friend bool operator==(const Hit& a, const Hit& b) { return a.t == b.t && a.prim == b.prim; }
+};
+static_assert(sizeof(Hit) == 16);
+
+}  // namespace dapple

@@ -1,0 +1,28 @@
+// No structure at all: every ray is tested against every object. The oracle for the others.
+#pragma once
+
+#include <vector>
+
+#include "accel/accel.h"
+
+namespace dapple {
+
+class LinearAccel final : public Accel {
+ public:
+  explicit LinearAccel(const SceneView& scene);
+
+  using Accel::intersect;
+  using Accel::occluded;
+  void intersect(std::span<const Ray> rays, std::span<Hit> hits) const override;
+  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override;
+  AccelStats stats() const override;
+  Bounds3f bounds() const override { return bounds_; }
+
+ private:
+  std::vector<LeafRef> leaves_;  // in the order of primitive ids
+  std::vector<std::uint32_t> words_;
+  Bounds3f bounds_;
+  std::size_t prim_count_ = 0;
+};
+
+}  // namespace dapple

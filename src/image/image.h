@@ -1,0 +1,28 @@
+// A picture in memory: linear RGB, single precision, top row first.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "math/vec3.h"
+
+namespace dapple {
+
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Vec3f> pixels;  // width * height
+
+  Image() = default;
+  Image(int width_, int height_)
+      : width(width_),
+        height(height_),
+        pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+
+  const Vec3f& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+};
+
+}  // namespace dapple

@@ -1,0 +1,87 @@
+#include "math/functions.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace dapple {
+namespace {
+
+// Taylor series of sin and cos on [-pi/4, pi/4], by Horner's rule in x^2. The number of terms
+// makes the first one left out smaller than half a unit in the last place of T.
+template <class T>
+T sin_series(T x, int last) {
+  const T x2 = x * x;
+  T sum = 1;
+  for (int n = last; n > 0; --n) sum = T(1) - x2 / T(2 * n * (2 * n + 1)) * sum;
+  return x * sum;
+}
+
+template <class T>
+T cos_series(T x, int last) {
+  const T x2 = x * x;
+  T sum = 1;
+  for (int n = last; n > 0; --n) sum = T(1) - x2 / T(2 * n * (2 * n - 1)) * sum;
+  return sum;
+}
+
+template <class T>
+SinCos<T> by_quadrants(T turns, int terms) {
+  const T quarter_turns = turns * T(4);
+  const T nearest = std::floor(quarter_turns + T(0.5));
+  const T angle = (quarter_turns - nearest) * T(1.57079632679489661923);
+  const T s = sin_series(angle, terms);
+  const T c = cos_series(angle, terms + 1);
+  switch (static_cast<std::int64_t>(nearest) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+// Each Halley step for r^3 = x triples the number of right digits.
+template <class T>
+T halley_cube_root(T x, T r, int steps) {
+  for (int step = 0; step < steps; ++step) {
+    const T r3 = r * r * r;
+    r = r * (r3 + T(2) * x) / (T(2) * r3 + x);
+  }
+  return r;
+}
+
+}  // namespace
+
+SinCos<float> sin_cos_turns(float turns) {
+  // Polynomials with constant coefficients 1/n!: the float version is called for every bounce.
+  const float quarter_turns = turns * 4.0f;
+  const float nearest = std::floor(quarter_turns + 0.5f);
+  const float x = (quarter_turns - nearest) * 1.57079632679f;
+  const float x2 = x * x;
+  const float s =
+      x * (1.0f + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040 + x2 * (1.0f / 362880)))));
+  const float c = 1.0f + x2 * (-0.5f + x2 * (1.0f / 24 + x2 * (-1.0f / 720 + x2 * (1.0f / 40320))));
+  switch (static_cast<int>(nearest) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+SinCos<double> sin_cos_turns(double turns) { return by_quadrants(turns, 8); }
+
+float cube_root(float x) {
+  if (!(x > 0.0f)) return 0.0f;
+  // Dividing the exponent by three starts within 6 %.
+  const float start = std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) / 3 + 0x2a514067u);
+  return halley_cube_root(x, start, 2);
+}
+
+double cube_root(double x) {
+  if (!(x > 0.0)) return 0.0;
+  const auto bits = std::bit_cast<std::uint64_t>(x) / 3 + 0x2a9f7893'00000000u;
+  return halley_cube_root(x, std::bit_cast<double>(bits), 3);
+}
+
+}  // namespace dapple

@@ -1,0 +1,36 @@
+// Rays of a thin-lens camera.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "math/ray.h"
+#include "render/settings.h"
+#include "scene/camera.h"
+
+namespace dapple {
+
+class CameraRays {
+ public:
+  // An error when the camera's axes are degenerate: it looks at where it stands, or along `up`.
+  [[nodiscard]] static Expected<CameraRays> create(const Camera& camera,
+                                                   const RenderSettings& settings);
+
+  // The ray through point (u[0], u[1]) of pixel (x, y), row 0 at the top, from the point of the
+  // lens that u[2] and u[3] choose. Its direction reaches the focus plane at t = 1.
+  Ray generate(int x, int y, const std::array<float, 4>& u) const;
+
+ private:
+  CameraRays() = default;
+
+  Vec3f origin_;
+  Vec3f corner_;      // from the origin to the top left corner of the picture, on the focus plane
+  Vec3f per_column_;  // one pixel to the right
+  Vec3f per_row_;     // one pixel down
+  Vec3f lens_u_, lens_v_;
+};
+
+// Distances along a ray below this, in units of its direction, are not hits.
+inline constexpr float kRayTMin = 1e-3f;
+
+}  // namespace dapple

@@ -1,0 +1,70 @@
+// Where samples add up: fixed-point integers, so that the sum does not depend on their order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "image/image.h"
+
+namespace dapple {
+
+// One step of the sums is 2^-24 of radiance.
+inline constexpr float kFilmStepsPerUnit = 0x1p24f;
+// A sample is cut at this value in each channel.
+inline constexpr float kFilmClamp = 0x1p14f;
+
+using PixelSum = std::array<std::int64_t, 3>;
+
+// A rectangle of pixels: columns [x0, x1), rows [y0, y1).
+struct Tile {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  int width() const { return x1 - x0; }
+  int pixel_count() const { return width() * (y1 - y0); }
+};
+
+// Sums of one tile, filled by one thread.
+class TileSums {
+ public:
+  explicit TileSums(const Tile& tile)
+      : tile_(tile), sums_(static_cast<std::size_t>(tile.pixel_count())) {}
+
+  // Adds one sample to pixel `index` of the tile (row by row). A sample that is not finite is
+  // counted and left out.
+  void add(std::size_t index, const Vec3f& radiance);
+
+  const Tile& tile() const { return tile_; }
+  std::span<const PixelSum> sums() const { return sums_; }
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  Tile tile_;
+  std::vector<PixelSum> sums_;
+  std::uint64_t dropped_ = 0;
+};
+
+class Film {
+ public:
+  Film(int width, int height);
+
+  // May be called from any thread, in any order.
+  void merge(const TileSums& tile);
+
+  // The mean of `samples` samples in each pixel.
+  Image to_image(int samples) const;
+
+  // Samples that were not finite and count as black.
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<PixelSum> sums_;
+  std::uint64_t dropped_ = 0;
+  std::mutex mutex_;
+};
+
+}  // namespace dapple

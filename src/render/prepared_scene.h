@@ -1,0 +1,28 @@
+// What integrators see: an acceleration structure, the camera and the materials of primitives.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "accel/accel.h"
+#include "scene/scene_view.h"
+
+namespace dapple {
+
+// The arrays behind the view must outlive this.
+class PreparedScene {
+ public:
+  PreparedScene(const SceneView& scene, std::unique_ptr<Accel> accel);
+
+  const Camera& camera() const { return scene_.camera; }
+  const Accel& accel() const { return *accel_; }
+  const Material& material_of(const Hit& hit) const;
+
+ private:
+  SceneView scene_;
+  std::array<std::size_t, kShapeKindCount> first_ids_;
+  std::unique_ptr<Accel> accel_;
+};
+
+}  // namespace dapple

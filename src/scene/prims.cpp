@@ -1,0 +1,50 @@
+#include "scene/prims.h"
+
+#include <bit>
+#include <cmath>
+
+#include "scene/leaf.h"
+
+namespace dapple {
+namespace {
+
+float to_float(double x) { return static_cast<float>(x); }
+
+}  // namespace
+
+// The same operations on the same floats as the own-box rule uses (intersect_scalar.h).
+Bounds3f sphere_bounds(const Sphere& sphere) {
+  const Vec3f c(sphere.centre);
+  const float r = std::fabs(to_float(sphere.radius));
+  return {{c.x - r, c.y - r, c.z - r}, {c.x + r, c.y + r, c.z + r}};
+}
+
+Bounds3f rectangle_bounds(ShapeKind kind, const Rectangle& r) {
+  const RectangleAxes axes = rectangle_axes(kind);
+  Bounds3f box;
+  box.lo[axes.u] = to_float(r.u0);
+  box.hi[axes.u] = to_float(r.u1);
+  box.lo[axes.v] = to_float(r.v0);
+  box.hi[axes.v] = to_float(r.v1);
+  box.lo[axes.k] = box.hi[axes.k] = to_float(r.k);
+  return box;
+}
+
+void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimId id,
+                std::uint32_t* leaf, std::size_t count, std::size_t lane) {
+  std::uint32_t* word = leaf + lane;
+  const auto put = [&](double value) {
+    *word = std::bit_cast<std::uint32_t>(to_float(value));
+    word += count;
+  };
+  if (kind == ShapeKind::sphere) {
+    const Sphere& s = scene.spheres[index];
+    for (const double value : {s.centre.x, s.centre.y, s.centre.z, s.radius}) put(value);
+  } else {
+    const Rectangle& r = scene.rectangles[rectangle_index(kind)][index];
+    for (const double value : {r.u0, r.u1, r.v0, r.v1, r.k}) put(value);
+  }
+  *word = id;
+}
+
+}  // namespace dapple

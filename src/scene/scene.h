@@ -1,0 +1,42 @@
+// A scene as plain arrays: what a file or a generator says, nothing derived from it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/material.h"
+#include "scene/shapes.h"
+
+namespace dapple {
+
+// `count` objects of one kind that follow each other in the scene's stored order.
+struct ObjectRun {
+  ShapeKind kind = ShapeKind::sphere;
+  std::uint64_t count = 0;
+  friend bool operator==(const ObjectRun&, const ObjectRun&) = default;
+};
+
+// Each kind of shape has its own array, in stored order; `runs` says how the kinds interleave.
+// materials[i] of a kind belongs to its shape i.
+struct Scene {
+  Camera camera;
+  std::vector<Material> materials;
+  std::vector<ObjectRun> runs;
+  std::vector<Sphere> spheres;
+  std::vector<MaterialId> sphere_materials;
+  std::array<std::vector<Rectangle>, kRectangleKindCount> rectangles;
+  std::array<std::vector<MaterialId>, kRectangleKindCount> rectangle_materials;
+
+  MaterialId add_material(const Material& material);
+  void add_sphere(const Sphere& sphere, MaterialId material);
+  void add_rectangle(ShapeKind kind, const Rectangle& rectangle, MaterialId material);
+
+  friend bool operator==(const Scene&, const Scene&) = default;
+
+ private:
+  void count_object(ShapeKind kind);
+};
+
+}  // namespace dapple

@@ -1,0 +1,50 @@
+// The same scene seen through spans, wherever its arrays live: in a Scene or in a mapped file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "scene/scene.h"
+#include "scene/wide_bvh.h"
+
+namespace dapple {
+
+// Index of a primitive in the concatenation of the shape arrays in the order of ShapeKind. At
+// equal distance along a ray the primitive with the lower id is the one that is hit.
+using PrimId = std::uint32_t;
+inline constexpr PrimId kNoPrim = 0xffffffffu;
+
+struct SceneView {
+  Camera camera;
+  std::span<const Material> materials;
+  std::span<const ObjectRun> runs;
+  std::span<const Sphere> spheres;
+  std::span<const MaterialId> sphere_materials;
+  std::array<std::span<const Rectangle>, kRectangleKindCount> rectangles;
+  std::array<std::span<const MaterialId>, kRectangleKindCount> rectangle_materials;
+  WideBvhView bvh;  // finished BVH of exactly these shapes, or empty
+
+  SceneView() = default;
+  SceneView(const Scene& scene);  // implicit: a Scene can be passed wherever a view is read
+
+  std::size_t object_count() const;
+  std::size_t count(ShapeKind kind) const;
+  std::span<const MaterialId> materials_of(ShapeKind kind) const;
+};
+
+// Where the shapes of one kind begin in the numbering of primitives.
+[[nodiscard]] std::array<std::size_t, kShapeKindCount> first_prim_ids(const SceneView& scene);
+
+// Calls visit(kind, index in that kind's array) for each object in stored order.
+template <class Visit>
+void for_each_object(const SceneView& scene, Visit&& visit) {
+  std::array<std::size_t, kShapeKindCount> next{};
+  for (const ObjectRun& run : scene.runs) {
+    for (std::uint64_t i = 0; i < run.count; ++i) {
+      visit(run.kind, next[static_cast<std::size_t>(run.kind)]++);
+    }
+  }
+}
+
+}  // namespace dapple

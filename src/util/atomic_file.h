@@ -1,0 +1,41 @@
+// An output file that appears whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "util/error.h"
+
+namespace dapple {
+
+// Writes to a temporary file beside the target; commit() flushes it to disk and renames it over
+// the target. Without commit() nothing remains and an earlier file stays as it was. Targets that
+// are not regular files (/dev/stdout, /dev/full, a pipe) are written in place.
+class AtomicFile {
+ public:
+  [[nodiscard]] static Expected<AtomicFile> create(const std::string& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  ~AtomicFile();
+
+  [[nodiscard]] Status write(std::span<const std::byte> bytes);
+  [[nodiscard]] Status commit();
+
+  const std::string& path() const { return path_; }
+
+ private:
+  AtomicFile(std::string path, std::string temporary, int descriptor);
+  void discard();
+
+  std::string path_;
+  std::string temporary_;  // empty when the target is written in place
+  int descriptor_ = -1;
+};
+
+// create, write and commit in one call.
+[[nodiscard]] Status write_file_atomically(const std::string& path,
+                                           std::span<const std::byte> bytes);
+
+}  // namespace dapple
