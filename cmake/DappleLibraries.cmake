@@ -1,4 +1,5 @@
 # The libraries that dapple stands on; each is used behind few files.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(fmt REQUIRED)
+find_package(hwy REQUIRED)
 find_package(tl-expected REQUIRED)

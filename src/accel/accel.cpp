@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "accel/linear_accel.h"
+#include "accel/median_accel.h"
+#include "accel/wide_accel.h"
 
 namespace dapple {
 namespace {
@@ -64,14 +66,21 @@ Expected<AccelKind> parse_accel_kind(std::string_view name) {
   for (std::size_t i = 0; i < kAccelNames.size(); ++i) {
     if (kAccelNames[i] == name) return static_cast<AccelKind>(i);
   }
-  return fail(Errc::usage, std::string(name),
-              fmt::format("unknown acceleration structure; there are {}",
-                          fmt::join(kAccelNames, ", ")));
+  return fail(
+      Errc::usage, std::string(name),
+      fmt::format("unknown acceleration structure; there are {}", fmt::join(kAccelNames, ", ")));
 }
 
 std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene) {
-  static_cast<void>(kind);
-  return std::make_unique<LinearAccel>(scene);
+  switch (kind) {
+    case AccelKind::linear:
+      return std::make_unique<LinearAccel>(scene);
+    case AccelKind::median:
+      return std::make_unique<MedianAccel>(scene);
+    case AccelKind::fast:
+      break;
+  }
+  return std::make_unique<WideAccel>(scene);
 }
 
 }  // namespace dapple

@@ -24,16 +24,16 @@ struct AccelStats {
   std::size_t prim_count = 0;
   std::size_t node_count = 0;
   std::size_t leaf_count = 0;
-  std::size_t bytes = 0;     // nodes and leaves, without the scene
-  double sah_cost = 0;       // expected node and leaf visits of a ray through the root; 0 if no tree
-  int depth = 0;             // levels of nodes
+  std::size_t bytes = 0;  // nodes and leaves, without the scene
+  double sah_cost = 0;    // expected node and leaf visits of a ray through the root; 0 if no tree
+  int depth = 0;          // levels of nodes
 };
 
 // The place on a surface that a hit denotes.
 struct SurfacePoint {
-  Vec3f position;       // on the surface to within `error`
-  Vec3f outward;        // unit normal: away from a sphere's centre, along a rectangle's third axis
-  float error = 0;      // bound on the distance between `position` and the exact surface
+  Vec3f position;   // on the surface to within `error`
+  Vec3f outward;    // unit normal: away from a sphere's centre, along a rectangle's third axis
+  float error = 0;  // bound on the distance between `position` and the exact surface
 };
 
 // Immutable after construction; every call may be made from many threads at once. All kinds give

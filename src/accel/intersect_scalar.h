@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include "scene/leaf.h"
 #include "accel/prepared_ray.h"
+#include "scene/leaf.h"
 
 namespace dapple {
 

@@ -2,30 +2,10 @@
 
 #include <algorithm>
 
-#include "accel/intersect_scalar.h"
+#include "accel/kernels/dispatch.h"
 #include "scene/prims.h"
 
 namespace dapple {
-namespace {
-
-Hit intersect_all(const PreparedRay& ray, std::span<const LeafRef> leaves,
-                  const std::uint32_t* words) {
-  Hit best;
-  best.t = ray.t_max;
-  for (const LeafRef leaf : leaves) {
-    for (std::size_t i = 0; i < leaf.count(); ++i) {
-      const float t = intersect_lane(ray, words, leaf.lane(i), best.t);
-      if (t < 0.0f) continue;
-      const PrimId id = leaf_prim_id(words, leaf.lane(i));
-      if (t < best.t || id < best.prim) best = {t, id, leaf.lane(i)};
-    }
-  }
-  if (!best.found()) best.t = Hit{}.t;
-  return best;
-}
-
-}  // namespace
-
 LinearAccel::LinearAccel(const SceneView& scene) : Accel(nullptr) {
   PrimId next_id = 0;
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
@@ -42,20 +22,17 @@ LinearAccel::LinearAccel(const SceneView& scene) : Accel(nullptr) {
     }
   }
   words_.resize(words_.size() + kLeafPaddingWords);
+  bounds_ = scene_bounds(scene);
   prim_count_ = next_id;
   set_leaf_words(words_.data());
 }
 
 void LinearAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    hits[i] = intersect_all(prepare(rays[i]), leaves_, words_.data());
-  }
+  kernels().intersect_linear({leaves_, words_.data()}, rays.data(), hits.data(), rays.size());
 }
 
 void LinearAccel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    occluded[i] = intersect_all(prepare(rays[i]), leaves_, words_.data()).found();
-  }
+  kernels().occluded_linear({leaves_, words_.data()}, rays.data(), occluded.data(), rays.size());
 }
 
 AccelStats LinearAccel::stats() const {

@@ -10,10 +10,10 @@ namespace dapple {
 struct PreparedRay {
   float origin[3];
   float direction[3];
-  float inverse[3];    // of the direction, never zero or infinite
+  float inverse[3];  // of the direction, never zero or infinite
   float t_min;
-  float t_max;         // below t_min when the ray can hit nothing
-  float inverse_dot;   // 1 / dot(direction, direction)
+  float t_max;        // below t_min when the ray can hit nothing
+  float inverse_dot;  // 1 / dot(direction, direction)
 };
 
 // A component below this in magnitude is treated as this large where it is divided by: distances

@@ -21,8 +21,8 @@ struct Bounds3f {
     }
   }
   bool contains(const Bounds3f& inner) const {
-    return lo.x <= inner.lo.x && lo.y <= inner.lo.y && lo.z <= inner.lo.z &&
-           hi.x >= inner.hi.x && hi.y >= inner.hi.y && hi.z >= inner.hi.z;
+    return lo.x <= inner.lo.x && lo.y <= inner.lo.y && lo.z <= inner.lo.z && hi.x >= inner.hi.x &&
+           hi.y >= inner.hi.y && hi.z >= inner.hi.z;
   }
   // Half the surface area; 0 for an empty box.
   float half_area() const {

@@ -49,9 +49,9 @@ void ClassicPaths::start(SampleRange samples, const Tile& tile, Batch& batch) co
     std::uint32_t pixel_index = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
-        const auto u = uniform4(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                                static_cast<std::uint32_t>(sample), kCameraDimension,
-                                settings_.seed);
+        const auto u =
+            uniform4(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                     static_cast<std::uint32_t>(sample), kCameraDimension, settings_.seed);
         batch.rays.push_back(camera_.generate(x, y, u));
         batch.paths.push_back({{1, 1, 1}, x, y, sample, pixel_index++});
       }

@@ -22,8 +22,7 @@ struct SampleRange {
 
 class ClassicPaths {
  public:
-  ClassicPaths(const PreparedScene& scene, const CameraRays& camera,
-               const RenderSettings& settings)
+  ClassicPaths(const PreparedScene& scene, const CameraRays& camera, const RenderSettings& settings)
       : scene_(scene), camera_(camera), settings_(settings) {}
 
   // Adds the samples of the range to every pixel of the sums' tile.

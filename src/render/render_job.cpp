@@ -13,7 +13,8 @@ namespace dapple {
 namespace {
 
 constexpr int kTileSide = 32;
-constexpr int kSamplesPerUnit = 4;  // with the tile: 4096 paths in flight, in the second-level cache
+constexpr int kSamplesPerUnit =
+    4;  // with the tile: 4096 paths in flight, in the second-level cache
 
 // A pure function of the job: which pixels and which samples.
 struct Unit {

@@ -20,7 +20,7 @@ struct RenderControl {
 };
 
 struct RenderResult {
-  Image image;                     // linear radiance
+  Image image;                        // linear radiance
   std::uint64_t dropped_samples = 0;  // samples that were not finite and count as black
 };
 

@@ -96,8 +96,10 @@ Scene make_sphere_cloud(std::int64_t count) {
   for (std::int64_t i = 0; i < count; ++i) {
     const auto id = static_cast<std::uint32_t>(i);
     const auto u = uniform4(id, 0, 0, 0, kSeed);
-    const Vec3d centre(200 * double{u[0]} - 100, 200 * double{u[1]} - 100, 200 * double{u[2]} - 100);
-    const auto material = static_cast<MaterialId>(philox4x32({id, 0, 0, 2}, kSeed)[0] % kMaterialCount);
+    const Vec3d centre(200 * double{u[0]} - 100, 200 * double{u[1]} - 100,
+                       200 * double{u[2]} - 100);
+    const auto material =
+        static_cast<MaterialId>(philox4x32({id, 0, 0, 2}, kSeed)[0] % kMaterialCount);
     scene.add_sphere({centre, spacing * (0.1 + 0.3 * double{u[3]})}, material);
   }
   return scene;

@@ -23,12 +23,18 @@ const std::vector<Generator>& generators() {
   static const std::vector<Generator> table = {
       {{"empty", "no objects, only the sky", ""}, make_empty, 0, 0},
       {{"irreg", "a grid of mirror spheres (N x N, default 50)", "spheres a side"},
-       make_irreg, 50, 40'000},
+       make_irreg,
+       50,
+       40'000},
       {{"nice", "one sphere between three coloured metal walls", ""}, make_nice, 0, 0},
       {{"rgbbox", "an open box of spheres (four walls of N x N, default 10)", "spheres a side"},
-       make_rgbbox, 10, 20'000},
+       make_rgbbox,
+       10,
+       20'000},
       {{"spheres", "a random cloud of N spheres (default 10000)", "spheres"},
-       make_sphere_cloud, 10'000, 1'600'000'000},
+       make_sphere_cloud,
+       10'000,
+       1'600'000'000},
   };
   return table;
 }
@@ -45,9 +51,9 @@ std::string_view name_part(std::string_view text) { return text.substr(0, text.f
 tl::unexpected<Error> unknown_scene(std::string_view text) {
   std::vector<std::string_view> names;
   for (const NamedScene& scene : named_scenes()) names.push_back(scene.name);
-  return fail(Errc::no_input, std::string(text),
-              fmt::format("no such file and no such scene; the scenes are {}",
-                          fmt::join(names, ", ")));
+  return fail(
+      Errc::no_input, std::string(text),
+      fmt::format("no such file and no such scene; the scenes are {}", fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -71,8 +77,7 @@ Expected<Scene> make_named_scene(std::string_view text) {
   if (generator->max_size == 0) {
     return fail(Errc::usage, std::string(text), fmt::format("scene '{}' has one size only", name));
   }
-  const auto size =
-      parse_integer(text.substr(name.size() + 1), text, 1, generator->max_size);
+  const auto size = parse_integer(text.substr(name.size() + 1), text, 1, generator->max_size);
   if (!size) return tl::unexpected(size.error());
   return generator->make(*size);
 }

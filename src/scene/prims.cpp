@@ -30,6 +30,17 @@ Bounds3f rectangle_bounds(ShapeKind kind, const Rectangle& r) {
   return box;
 }
 
+Bounds3f scene_bounds(const SceneView& scene) {
+  Bounds3f all;
+  for (const Sphere& sphere : scene.spheres) all.extend(sphere_bounds(sphere));
+  for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
+    for (const Rectangle& rectangle : scene.rectangles[i]) {
+      all.extend(rectangle_bounds(rectangle_kind(i), rectangle));
+    }
+  }
+  return all;
+}
+
 void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimId id,
                 std::uint32_t* leaf, std::size_t count, std::size_t lane) {
   std::uint32_t* word = leaf + lane;

@@ -68,8 +68,8 @@ bool is_valid(const Sphere& sphere) {
 }
 
 bool is_valid(const Rectangle& r) {
-  return is_coordinate(r.u0) && is_coordinate(r.u1) && is_coordinate(r.v0) &&
-         is_coordinate(r.v1) && is_coordinate(r.k);
+  return is_coordinate(r.u0) && is_coordinate(r.u1) && is_coordinate(r.v0) && is_coordinate(r.v1) &&
+         is_coordinate(r.k);
 }
 
 Status validate(const Camera& camera) {

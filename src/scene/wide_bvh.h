@@ -15,6 +15,8 @@ namespace dapple {
 
 inline constexpr int kWideWidth = 16;
 inline constexpr std::size_t kMaxWideLeafCount = 16;
+// Levels of nodes at most; the traversal's stacks are made for it.
+inline constexpr int kMaxWideDepth = 48;
 
 // A child of a wide node in 64 bits: a LeafRef, or with all four kind bits set the index of a
 // node, or with all bits set nothing.

@@ -11,8 +11,8 @@ namespace dapple {
 
 // Where and how a ray meets a surface.
 struct Encounter {
-  Vec3f direction;      // unit, towards the surface
-  Vec3f normal;         // unit, on the side the ray came from
+  Vec3f direction;           // unit, towards the surface
+  Vec3f normal;              // unit, on the side the ray came from
   bool from_outside = true;  // the side the outward normal points to
 };
 

@@ -13,8 +13,6 @@ tl::unexpected<Error> fail(Errc code, std::string place, std::string message) {
   return tl::unexpected<Error>(Error{code, std::move(message), std::move(place)});
 }
 
-std::string errno_text(int error_number) {
-  return std::generic_category().message(error_number);
-}
+std::string errno_text(int error_number) { return std::generic_category().message(error_number); }
 
 }  // namespace dapple

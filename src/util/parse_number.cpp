@@ -6,8 +6,8 @@
 
 namespace dapple {
 
-Expected<std::int64_t> parse_integer(std::string_view text, std::string_view name,
-                                     std::int64_t low, std::int64_t high) {
+Expected<std::int64_t> parse_integer(std::string_view text, std::string_view name, std::int64_t low,
+                                     std::int64_t high) {
   std::int64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);

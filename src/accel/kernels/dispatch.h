@@ -1,0 +1,44 @@
+// The one table of SIMD kernels, picked at start for the processor that runs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "accel/hit.h"
+#include "math/ray.h"
+#include "scene/wide_bvh.h"
+#include "util/error.h"
+
+namespace dapple {
+
+// Leaves that every ray is tested against, in the order of primitive ids.
+struct LinearView {
+  std::span<const LeafRef> leaves;
+  const std::uint32_t* words = nullptr;
+};
+
+struct KernelTable {
+  std::string_view isa;  // "avx512", "avx2", "sse4", "ssse3" or "portable"
+  void (*intersect_wide)(const WideBvhView&, const Ray*, Hit*, std::size_t);
+  void (*occluded_wide)(const WideBvhView&, const Ray*, std::uint8_t*, std::size_t);
+  void (*intersect_linear)(const LinearView&, const Ray*, Hit*, std::size_t);
+  void (*occluded_linear)(const LinearView&, const Ray*, std::uint8_t*, std::size_t);
+};
+
+// The best level of this processor, or the one that the environment variable DAPPLE_ISA names
+// if the processor has it (an unknown or unavailable name is ignored; see isa_override_error).
+[[nodiscard]] const KernelTable& kernels();
+
+// Levels that this processor can run, best first.
+[[nodiscard]] std::vector<std::string_view> available_isas();
+
+// Uses that level from now on; not to be called while rays are being traced.
+[[nodiscard]] Status force_isa(std::string_view isa);
+
+// What is wrong with DAPPLE_ISA, if anything.
+[[nodiscard]] Status check_isa_override();
+
+}  // namespace dapple

@@ -1,0 +1,58 @@
+// Vectors of up to 16 floats for the instruction set being compiled. Nothing of std:: may be
+// called in these files: its templates would be compiled once for each instruction set under one
+// name, and the linker keeps any of them for everyone.
+#include <hwy/highway.h>
+
+#include "accel/prepared_ray.h"
+
+#if defined(DAPPLE_KERNELS_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef DAPPLE_KERNELS_SIMD_INL_H
+#undef DAPPLE_KERNELS_SIMD_INL_H
+#else
+#define DAPPLE_KERNELS_SIMD_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dapple {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+using FloatVec = hn::Vec<Floats>;
+using FloatMask = hn::Mask<Floats>;
+inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
+
+HWY_INLINE FloatVec all(float x) { return hn::Set(Floats(), x); }
+HWY_INLINE FloatVec load_floats(const std::uint32_t* words) {
+  return hn::LoadU(Floats(), reinterpret_cast<const float*>(words));
+}
+HWY_INLINE FloatVec load_floats(const float* floats) { return hn::Load(Floats(), floats); }
+
+// Bit i is lane i of the mask.
+HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
+#if HWY_TARGET <= HWY_AVX3
+  return static_cast<std::uint32_t>(mask.raw);
+#else
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Floats(), mask, bytes);
+  return bytes[0];
+#endif
+}
+
+// Removes the lowest set bit and returns its index.
+HWY_INLINE std::uint32_t take_lowest(std::uint32_t& bits) {
+  const auto index = static_cast<std::uint32_t>(__builtin_ctz(bits));
+  bits &= bits - 1;
+  return index;
+}
+
+// (plane - origin) * inverse for one axis: where the ray meets the planes.
+HWY_INLINE FloatVec meet(FloatVec planes, const PreparedRay& ray, int axis) {
+  return hn::Mul(hn::Sub(planes, all(ray.origin[axis])), all(ray.inverse[axis]));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dapple
+HWY_AFTER_NAMESPACE();
+#endif

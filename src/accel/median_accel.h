@@ -1,0 +1,42 @@
+// The textbook BVH that courses teach: binary, sorted by the minimum along an axis that changes
+// from level to level, split at the median, one object a leaf. Single precision and scalar.
+#pragma once
+
+#include <vector>
+
+#include "accel/accel.h"
+#include "accel/build_prim.h"
+#include "accel/prepared_ray.h"
+
+namespace dapple {
+
+class MedianAccel final : public Accel {
+ public:
+  explicit MedianAccel(const SceneView& scene);
+
+  using Accel::intersect;
+  using Accel::occluded;
+  void intersect(std::span<const Ray> rays, std::span<Hit> hits) const override;
+  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const override;
+  AccelStats stats() const override;
+  Bounds3f bounds() const override;
+
+ private:
+  // A leaf when `leaf` has a count; else its children are the next node and node `second`.
+  struct Node {
+    Bounds3f box;
+    std::uint32_t second = 0;
+    LeafRef leaf;
+  };
+
+  void build(std::span<BuildPrim> prims, int axis, std::size_t node, const SceneView& scene);
+  void make_leaf(Node& node, PrimId id, const SceneView& scene);
+  void visit(const PreparedRay& ray, std::size_t node, Hit& best) const;
+  bool occludes(const PreparedRay& ray, std::size_t node) const;
+
+  std::vector<Node> nodes_;  // depth first: a subtree of n primitives is 2n - 1 nodes
+  std::vector<std::uint32_t> words_;
+  std::size_t prim_count_ = 0;
+};
+
+}  // namespace dapple

@@ -1,0 +1,35 @@
+#include "accel/wide_accel.h"
+
+#include "accel/kernels/dispatch.h"
+#include "accel/wide_stats.h"
+
+namespace dapple {
+
+WideAccel::WideAccel(const SceneView& scene)
+    : Accel(nullptr), view_(scene.bvh), prim_count_(scene.object_count()) {
+  if (view_.empty()) {
+    built_ = build_wide_bvh(scene);
+    view_ = built_.view();
+  }
+  set_leaf_words(view_.leaf_words.data());
+}
+
+void WideAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  kernels().intersect_wide(view_, rays.data(), hits.data(), rays.size());
+}
+
+void WideAccel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+  kernels().occluded_wide(view_, rays.data(), occluded.data(), rays.size());
+}
+
+AccelStats WideAccel::stats() const {
+  AccelStats stats = wide_stats(view_);
+  stats.prim_count = prim_count_;
+  return stats;
+}
+
+Bounds3f WideAccel::bounds() const {
+  return view_.empty() ? Bounds3f{} : node_bounds(view_.nodes.front());
+}
+
+}  // namespace dapple

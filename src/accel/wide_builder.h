@@ -1,0 +1,21 @@
+// Builds the wide BVH: binned SAH, many children a node, in parallel.
+#pragma once
+
+#include "scene/scene_view.h"
+#include "scene/wide_bvh.h"
+#include "util/huge_array.h"
+
+namespace dapple {
+
+struct WideBvh {
+  HugeArray<WideNode> nodes;
+  HugeArray<std::uint32_t> leaf_words;
+
+  WideBvhView view() const { return {nodes.span(), leaf_words.span()}; }
+};
+
+// A node is grown by splitting, again and again, the child with the largest surface until it has
+// kWideWidth children or only leaves. The tree is the same for any number of threads.
+[[nodiscard]] WideBvh build_wide_bvh(const SceneView& scene);
+
+}  // namespace dapple

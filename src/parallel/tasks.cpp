@@ -1,0 +1,57 @@
+#include "parallel/tasks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dapple {
+
+void run_with_tasks(const std::function<void()>& root) {
+  std::exception_ptr exception;
+#pragma omp parallel
+#pragma omp single
+  {
+    try {
+      root();
+    } catch (...) {
+      exception = std::current_exception();
+    }
+  }
+  if (exception) std::rethrow_exception(exception);
+}
+
+TaskGroup::~TaskGroup() {
+#pragma omp taskwait
+}
+
+void TaskGroup::keep_exception() {
+  const std::lock_guard lock(mutex_);
+  if (!exception_) exception_ = std::current_exception();
+}
+
+void TaskGroup::run(std::function<void()> task) {
+#pragma omp task firstprivate(task)
+  {
+    try {
+      task();
+    } catch (...) {
+      keep_exception();
+    }
+  }
+}
+
+void TaskGroup::wait() {
+#pragma omp taskwait
+  if (exception_) std::rethrow_exception(std::exchange(exception_, nullptr));
+}
+
+void parallel_for_chunks(std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t, std::size_t)>& body) {
+  TaskGroup tasks;
+  for (std::size_t begin = 0; begin < count; begin += grain) {
+    const std::size_t end = std::min(begin + grain, count);
+    tasks.run([&body, begin, end] { body(begin, end); });
+  }
+  tasks.wait();
+}
+
+}  // namespace dapple
