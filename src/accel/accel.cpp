@@ -52,7 +52,7 @@ bool Accel::occluded(const Ray& ray) const {
 }
 
 SurfacePoint Accel::locate(const Ray& ray, const Hit& hit) const {
-  const auto number = [&](std::size_t k) { return leaf_float(leaf_words_, hit.lane, k); };
+  const auto number = [&](std::size_t k) { return leaf_float(leaf_rows_, hit.lane, k); };
   const Vec3f position = ray.at(hit.t);
   if (hit.lane.kind() == ShapeKind::sphere) {
     return locate_on_sphere(position, {number(0), number(1), number(2)}, number(3));

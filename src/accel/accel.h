@@ -57,11 +57,11 @@ class Accel {
   SurfacePoint locate(const Ray& ray, const Hit& hit) const;
 
  protected:
-  explicit Accel(const std::uint32_t* leaf_words) : leaf_words_(leaf_words) {}
-  void set_leaf_words(const std::uint32_t* words) { leaf_words_ = words; }
+  // To be called before any ray is traced: where hits point into.
+  void set_leaf_rows(const LeafRow* rows) { leaf_rows_ = rows; }
 
  private:
-  const std::uint32_t* leaf_words_;
+  const LeafRow* leaf_rows_ = nullptr;
 };
 
 // Names as on the command line; an unknown one is an error that lists them.

@@ -73,9 +73,9 @@ inline float intersect_rectangle(const PreparedRay& ray, RectangleAxes axes, flo
 }
 
 // Primitive `lane` of a leaf, whatever its kind.
-inline float intersect_lane(const PreparedRay& ray, const std::uint32_t* words, LeafRef lane,
+inline float intersect_lane(const PreparedRay& ray, const LeafRow* rows, LeafRef lane,
                             float t_max) {
-  const auto number = [&](std::size_t k) { return leaf_float(words, lane, k); };
+  const auto number = [&](std::size_t k) { return leaf_float(rows, lane, k); };
   if (lane.kind() == ShapeKind::sphere) {
     return intersect_sphere(ray, number(0), number(1), number(2), number(3), t_max);
   }

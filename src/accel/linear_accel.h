@@ -1,9 +1,8 @@
 // No structure at all: every ray is tested against every object. The oracle for the others.
 #pragma once
 
-#include <vector>
-
 #include "accel/accel.h"
+#include "accel/leaf_list.h"
 
 namespace dapple {
 
@@ -19,10 +18,9 @@ class LinearAccel final : public Accel {
   Bounds3f bounds() const override { return bounds_; }
 
  private:
-  std::vector<LeafRef> leaves_;  // in the order of primitive ids
-  std::vector<std::uint32_t> words_;
+  LeafList list_;
   Bounds3f bounds_;
-  std::size_t prim_count_ = 0;
+  std::size_t prim_count_;
 };
 
 }  // namespace dapple

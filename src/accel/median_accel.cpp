@@ -4,44 +4,33 @@
 
 #include "accel/intersect_scalar.h"
 #include "parallel/tasks.h"
-#include "scene/prims.h"
 
 namespace dapple {
 namespace {
 
 constexpr std::size_t kTaskPrims = 1024;
-constexpr std::size_t kMaxWordsPerPrim = 6;
 
 }  // namespace
 
-MedianAccel::MedianAccel(const SceneView& scene)
-    : Accel(nullptr), prim_count_(scene.object_count()) {
+MedianAccel::MedianAccel(const SceneView& scene) : list_(scene), prim_count_(scene.object_count()) {
+  set_leaf_rows(list_.rows());
   if (prim_count_ == 0) return;
   nodes_.resize(2 * prim_count_ - 1);
-  words_.resize(kMaxWordsPerPrim * prim_count_);
-  set_leaf_words(words_.data());
   run_with_tasks([&] {
     HugeArray<BuildPrim> prims = make_build_prims(scene);
-    build(prims.span(), 0, 0, scene);
+    build(prims.span(), 0, 0);
   });
 }
 
-void MedianAccel::make_leaf(Node& node, PrimId id, const SceneView& scene) {
-  const auto first_ids = first_prim_ids(scene);
-  std::size_t kind = kShapeKindCount - 1;
-  while (id < first_ids[kind]) --kind;
-  node.leaf = LeafRef(static_cast<ShapeKind>(kind), 1, kMaxWordsPerPrim * std::size_t{id});
-  write_lane(scene, node.leaf.kind(), id - first_ids[kind], id, words_.data() + node.leaf.offset(),
-             1, 0);
-}
-
-void MedianAccel::build(std::span<BuildPrim> prims, int axis, std::size_t index,
-                        const SceneView& scene) {
+void MedianAccel::build(std::span<BuildPrim> prims, int axis, std::size_t index) {
   Node& node = nodes_[index];
   Box4 box;
   for (const BuildPrim& prim : prims) box.extend(prim);
   node.box = box.bounds();
-  if (prims.size() == 1) return make_leaf(node, prims[0].id, scene);
+  if (prims.size() == 1) {
+    node.prim = prims[0].id;
+    return;
+  }
   // Finding the median is all that sorting is for. Equal minima are ordered by id, so that there
   // is one answer.
   const std::size_t half = prims.size() / 2;
@@ -53,15 +42,13 @@ void MedianAccel::build(std::span<BuildPrim> prims, int axis, std::size_t index,
   node.second = static_cast<std::uint32_t>(second);
   const int next_axis = (axis + 1) % 3;
   TaskGroup tasks;
-  const auto first_half = [=, this, &scene] {
-    build(prims.first(half), next_axis, index + 1, scene);
-  };
+  const auto first_half = [=, this] { build(prims.first(half), next_axis, index + 1); };
   if (prims.size() > kTaskPrims) {
     tasks.run(first_half);
   } else {
     first_half();
   }
-  build(prims.subspan(half), next_axis, second, scene);
+  build(prims.subspan(half), next_axis, second);
   tasks.wait();
 }
 
@@ -69,23 +56,23 @@ void MedianAccel::visit(const PreparedRay& ray, std::size_t index, Hit& best) co
   const Node& node = nodes_[index];
   const Slab inside = box_interval(ray, &node.box.lo.x, &node.box.hi.x);
   if (!(inside.near <= smaller(inside.far, best.t))) return;
-  if (node.leaf.count() == 0) {
+  if (!node.is_leaf()) {
     visit(ray, index + 1, best);
     visit(ray, node.second, best);
     return;
   }
-  const float t = intersect_lane(ray, words_.data(), node.leaf, best.t);
+  const LeafRef lane = list_.lane_of(node.prim);
+  const float t = intersect_lane(ray, list_.rows(), lane, best.t);
   if (t < 0.0f) return;
-  const PrimId id = leaf_prim_id(words_.data(), node.leaf);
-  if (t < best.t || id < best.prim) best = {t, id, node.leaf};
+  if (t < best.t || node.prim < best.prim) best = {t, node.prim, lane};
 }
 
 bool MedianAccel::occludes(const PreparedRay& ray, std::size_t index) const {
   const Node& node = nodes_[index];
   const Slab inside = box_interval(ray, &node.box.lo.x, &node.box.hi.x);
   if (!(inside.near <= smaller(inside.far, ray.t_max))) return false;
-  if (node.leaf.count() == 0) return occludes(ray, index + 1) || occludes(ray, node.second);
-  return intersect_lane(ray, words_.data(), node.leaf, ray.t_max) >= 0.0f;
+  if (!node.is_leaf()) return occludes(ray, index + 1) || occludes(ray, node.second);
+  return intersect_lane(ray, list_.rows(), list_.lane_of(node.prim), ray.t_max) >= 0.0f;
 }
 
 void MedianAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
@@ -108,7 +95,7 @@ AccelStats MedianAccel::stats() const {
   stats.prim_count = prim_count_;
   stats.leaf_count = prim_count_;
   stats.node_count = nodes_.size() - prim_count_;
-  stats.bytes = nodes_.size() * sizeof(Node) + words_.size() * sizeof(words_[0]);
+  stats.bytes = nodes_.size() * sizeof(Node) + list_.bytes();
   if (nodes_.empty()) return stats;
   double visits = 0;
   for (const Node& node : nodes_) visits += double{node.box.half_area()};

@@ -6,6 +6,7 @@
 
 #include "accel/accel.h"
 #include "accel/build_prim.h"
+#include "accel/leaf_list.h"
 #include "accel/prepared_ray.h"
 
 namespace dapple {
@@ -22,20 +23,21 @@ class MedianAccel final : public Accel {
   Bounds3f bounds() const override;
 
  private:
-  // A leaf when `leaf` has a count; else its children are the next node and node `second`.
+  // The children are the next node and node `second`; a leaf, which holds one primitive, has none.
   struct Node {
     Bounds3f box;
     std::uint32_t second = 0;
-    LeafRef leaf;
+    PrimId prim = kNoPrim;
+
+    bool is_leaf() const { return prim != kNoPrim; }
   };
 
-  void build(std::span<BuildPrim> prims, int axis, std::size_t node, const SceneView& scene);
-  void make_leaf(Node& node, PrimId id, const SceneView& scene);
+  void build(std::span<BuildPrim> prims, int axis, std::size_t node);
   void visit(const PreparedRay& ray, std::size_t node, Hit& best) const;
   bool occludes(const PreparedRay& ray, std::size_t node) const;
 
   std::vector<Node> nodes_;  // depth first: a subtree of n primitives is 2n - 1 nodes
-  std::vector<std::uint32_t> words_;
+  LeafList list_;
   std::size_t prim_count_ = 0;
 };
 

@@ -10,8 +10,8 @@ namespace dapple {
 struct PreparedRay {
   float origin[3];
   float direction[3];
-  float inverse[3];  // of the direction, never zero or infinite
-  float t_min;
+  float inverse[3];   // of the direction, never zero or infinite
+  float t_min;        // at least 0
   float t_max;        // below t_min when the ray can hit nothing
   float inverse_dot;  // 1 / dot(direction, direction)
 };
@@ -33,10 +33,9 @@ inline PreparedRay prepare(const Ray& ray) {
     prepared.inverse[axis] = safe_inverse(ray.direction[axis]);
   }
   prepared.inverse_dot = 1.0f / squared;
-  prepared.t_min = ray.t_min;
+  prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
   const bool usable = is_finite(ray.origin) && squared > 0.0f && std::isfinite(squared);
   prepared.t_max = usable ? ray.t_max : -1.0f;
-  if (!usable) prepared.t_min = 0.0f;
   return prepared;
 }
 

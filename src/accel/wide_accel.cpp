@@ -5,13 +5,12 @@
 
 namespace dapple {
 
-WideAccel::WideAccel(const SceneView& scene)
-    : Accel(nullptr), view_(scene.bvh), prim_count_(scene.object_count()) {
+WideAccel::WideAccel(const SceneView& scene) : view_(scene.bvh), prim_count_(scene.object_count()) {
   if (view_.empty()) {
     built_ = build_wide_bvh(scene);
     view_ = built_.view();
   }
-  set_leaf_words(view_.leaf_words.data());
+  set_leaf_rows(view_.rows.data());
 }
 
 void WideAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {

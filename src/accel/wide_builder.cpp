@@ -23,9 +23,9 @@ constexpr int kHalvingDepth = 32;
 // the first node.
 struct Fragment {
   std::vector<WideNode> nodes;
-  std::vector<std::uint32_t> words;
+  std::vector<LeafRow> rows;
   std::vector<std::unique_ptr<Fragment>> children;  // in the order of the first node's tagged refs
-  std::size_t first_node = 0, first_word = 0;       // in the finished arrays
+  std::size_t first_node = 0, first_row = 0;        // in the finished arrays
 };
 
 // The children of a node while it is being built.
@@ -73,7 +73,7 @@ ShapeKind Builder::kind_of(PrimId id) const {
 
 // A leaf holds one kind of shape.
 bool Builder::is_leaf(const PrimRange& range) const {
-  if (range.size() > kMaxWideLeafCount) return false;
+  if (range.size() > kLeafWidth) return false;
   const ShapeKind kind = kind_of(prims_[range.begin].id);
   for (std::size_t i = range.begin + 1; i < range.end; ++i) {
     if (kind_of(prims_[i].id) != kind) return false;
@@ -90,7 +90,7 @@ RangePair Builder::cut(const PrimRange& range, std::size_t middle) const {
 RangePair Builder::split_by_id(const PrimRange& range) {
   const auto begin = prims_.data() + range.begin, end = prims_.data() + range.end;
   const auto by_id = [](const BuildPrim& a, const BuildPrim& b) { return a.id < b.id; };
-  if (range.size() > kMaxWideLeafCount) {
+  if (range.size() > kLeafWidth) {
     const auto middle = begin + range.size() / 2;
     std::nth_element(begin, middle, end, by_id);
     return cut(range, static_cast<std::size_t>(middle - prims_.data()));
@@ -103,7 +103,7 @@ RangePair Builder::split_by_id(const PrimRange& range) {
 }
 
 RangePair Builder::split(const PrimRange& range, int depth) {
-  if (range.size() <= kMaxWideLeafCount || depth >= kHalvingDepth) return split_by_id(range);
+  if (range.size() <= kLeafWidth || depth >= kHalvingDepth) return split_by_id(range);
   const auto best = find_sah_split(prims_.span(), range);
   if (!best) return split_by_id(range);
   return partition_range(prims_.span(), scratch_.span(), range, *best);
@@ -132,17 +132,19 @@ Children Builder::split_into_children(const PrimRange& range, int depth) {
 }
 
 ChildRef Builder::write_leaf(const PrimRange& range, Fragment& fragment) const {
-  std::array<PrimId, kMaxWideLeafCount> ids;
+  std::array<PrimId, kLeafWidth> ids;
   for (std::size_t i = 0; i < range.size(); ++i) ids[i] = prims_[range.begin + i].id;
   std::sort(ids.begin(), ids.begin() + range.size());
   const ShapeKind kind = kind_of(ids[0]);
-  const LeafRef leaf(kind, range.size(), fragment.words.size());
-  fragment.words.resize(fragment.words.size() + range.size() * leaf_words_per_prim(kind));
+  const std::size_t first_row = fragment.rows.size();
+  fragment.rows.resize(first_row + leaf_rows(kind));
+  LeafRow* leaf = fragment.rows.data() + first_row;
+  clear_leaf(kind, leaf);
+  const std::size_t first_id = first_ids_[static_cast<std::size_t>(kind)];
   for (std::size_t i = 0; i < range.size(); ++i) {
-    write_lane(scene_, kind, ids[i] - first_ids_[static_cast<std::size_t>(kind)], ids[i],
-               fragment.words.data() + leaf.offset(), range.size(), i);
+    write_lane(scene_, kind, ids[i] - first_id, ids[i], leaf, i);
   }
-  return ChildRef(leaf);
+  return ChildRef::leaf(kind, first_row);
 }
 
 // Adds a node with the boxes of its children and with its leaves; inner children come later.
@@ -198,8 +200,7 @@ class Joiner {
   explicit Joiner(Fragment& root) { place(root); }
 
   WideBvh join() {
-    WideBvh bvh{HugeArray<WideNode>(node_count_),
-                HugeArray<std::uint32_t>(word_count_ + kLeafPaddingWords)};
+    WideBvh bvh{HugeArray<WideNode>(node_count_), HugeArray<LeafRow>(row_count_)};
     parallel_for_chunks(fragments_.size(), 1,
                         [&](std::size_t i, std::size_t) { copy(*fragments_[i], bvh); });
     return bvh;
@@ -209,15 +210,16 @@ class Joiner {
   void place(Fragment& fragment) {
     fragments_.push_back(&fragment);
     fragment.first_node = node_count_;
-    fragment.first_word = word_count_;
+    fragment.first_row = row_count_;
     node_count_ += fragment.nodes.size();
-    word_count_ += fragment.words.size();
+    row_count_ += fragment.rows.size();
     for (const auto& child : fragment.children) place(*child);
   }
 
   static ChildRef moved(ChildRef child, const Fragment& fragment) {
     if (child.empty()) return child;
-    if (child.is_leaf()) return ChildRef(child.bits + fragment.first_word);
+    if (child.is_leaf())
+      return ChildRef::leaf(child.leaf_kind(), child.leaf_row() + fragment.first_row);
     if (fragment.children.empty()) {
       return ChildRef::node(child.node_index() + fragment.first_node);
     }
@@ -225,8 +227,7 @@ class Joiner {
   }
 
   static void copy(const Fragment& fragment, WideBvh& bvh) {
-    std::copy(fragment.words.begin(), fragment.words.end(),
-              bvh.leaf_words.data() + fragment.first_word);
+    std::copy(fragment.rows.begin(), fragment.rows.end(), bvh.rows.data() + fragment.first_row);
     WideNode* to = bvh.nodes.data() + fragment.first_node;
     for (const WideNode& node : fragment.nodes) {
       *to = node;
@@ -236,7 +237,7 @@ class Joiner {
   }
 
   std::vector<const Fragment*> fragments_;
-  std::size_t node_count_ = 0, word_count_ = 0;
+  std::size_t node_count_ = 0, row_count_ = 0;
 };
 
 WideBvh Builder::build() {

@@ -9,9 +9,9 @@ namespace dapple {
 
 struct WideBvh {
   HugeArray<WideNode> nodes;
-  HugeArray<std::uint32_t> leaf_words;
+  HugeArray<LeafRow> rows;
 
-  WideBvhView view() const { return {nodes.span(), leaf_words.span()}; }
+  WideBvhView view() const { return {nodes.span(), rows.span()}; }
 };
 
 // A node is grown by splitting, again and again, the child with the largest surface until it has

@@ -24,7 +24,7 @@ Bounds3f node_bounds(const WideNode& node) {
 AccelStats wide_stats(const WideBvhView& bvh) {
   AccelStats stats;
   stats.node_count = bvh.nodes.size();
-  stats.bytes = bvh.nodes.size_bytes() + bvh.leaf_words.size_bytes();
+  stats.bytes = bvh.nodes.size_bytes() + bvh.rows.size_bytes();
   if (bvh.empty()) return stats;
   const double root_area = double{node_bounds(bvh.nodes[0]).half_area()};
   double visits = root_area;

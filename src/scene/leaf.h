@@ -1,10 +1,10 @@
-// Leaves: runs of primitives of one kind, as a structure of arrays in 32-bit words.
+// Leaves: up to 16 primitives of one kind as a structure of arrays.
 //
-// A leaf of n spheres is 5n words     cx[n] cy[n] cz[n] radius[n] id[n],
-// a leaf of n rectangles 6n words     u0[n] u1[n] v0[n] v1[n] k[n] id[n]   (see Rectangle).
-//
-// Leaves stand one after the other without padding between them, so a kernel that loads whole
-// vectors reads past a leaf's end into the next; kLeafPaddingWords follow the last leaf.
+// Each number of the primitives has a row of 16 words, one cache line. A leaf of spheres is five
+// rows       cx cy cz radius id            (320 bytes),
+// a leaf of rectangles six rows   u0 u1 v0 v1 k id   (384 bytes; see Rectangle).
+// Lanes in use come first, by ascending id. The others are shapes that nothing hits: zeros, and for
+// a rectangle u0 = +infinity and u1 = -infinity; their id is kNoPrim.
 #pragma once
 
 #include <bit>
@@ -15,40 +15,45 @@
 
 namespace dapple {
 
-inline constexpr std::size_t kLeafPaddingWords = 16;
-inline constexpr std::size_t kMaxLeafCount = 240;
+inline constexpr std::size_t kLeafWidth = 16;
 
-constexpr std::size_t leaf_words_per_prim(ShapeKind kind) {
-  return kind == ShapeKind::sphere ? 5 : 6;
-}
+// Numbers of a shape; its row of ids follows them.
+constexpr std::size_t leaf_id_row(ShapeKind kind) { return kind == ShapeKind::sphere ? 4 : 5; }
+constexpr std::size_t leaf_rows(ShapeKind kind) { return leaf_id_row(kind) + 1; }
 
-// Kind, count and place of a leaf in 64 bits: 4 bits kind, 8 bits count, 52 bits word offset.
-// Offset moved on by i and count kept, it denotes primitive i of the leaf: the k-th number of that
-// primitive is at word offset + k * count.
+// One row: what leaves are counted and addressed in.
+struct alignas(64) LeafRow {
+  std::uint32_t words[kLeafWidth];
+};
+static_assert(sizeof(LeafRow) == 64);
+
+// A leaf, or one lane of it: kind, lane and first row in 64 bits.
 struct LeafRef {
   std::uint64_t bits = 0;
 
   LeafRef() = default;
-  constexpr explicit LeafRef(std::uint64_t b) : bits(b) {}
-  constexpr LeafRef(ShapeKind kind, std::size_t count, std::size_t offset)
-      : bits(static_cast<std::uint64_t>(kind) << 60 | static_cast<std::uint64_t>(count) << 52 |
-             offset) {}
+  constexpr LeafRef(ShapeKind kind, std::uint64_t first_row)
+      : bits(static_cast<std::uint64_t>(kind) << 60 | first_row << 4) {}
 
   constexpr ShapeKind kind() const { return static_cast<ShapeKind>(bits >> 60); }
-  constexpr std::size_t count() const { return (bits >> 52) & 0xff; }
-  constexpr std::size_t offset() const { return bits & ((std::uint64_t{1} << 52) - 1); }
-  constexpr LeafRef lane(std::size_t i) const { return LeafRef(bits + i); }
+  constexpr std::size_t first_row() const { return (bits & ~(std::uint64_t{15} << 60)) >> 4; }
+  constexpr std::size_t lane_index() const { return bits & 15; }
+  constexpr LeafRef lane(std::size_t i) const {
+    LeafRef result = *this;
+    result.bits |= i;
+    return result;
+  }
 };
 
-// The k-th number of primitive `lane` as stored, and as the float it usually is.
-inline std::uint32_t leaf_word(const std::uint32_t* words, LeafRef lane, std::size_t k) {
-  return words[lane.offset() + k * lane.count()];
+// The number in a row for one lane, as stored and as the float it usually is.
+inline std::uint32_t leaf_word(const LeafRow* rows, LeafRef lane, std::size_t row) {
+  return rows[lane.first_row() + row].words[lane.lane_index()];
 }
-inline float leaf_float(const std::uint32_t* words, LeafRef lane, std::size_t k) {
-  return std::bit_cast<float>(leaf_word(words, lane, k));
+inline float leaf_float(const LeafRow* rows, LeafRef lane, std::size_t row) {
+  return std::bit_cast<float>(leaf_word(rows, lane, row));
 }
-inline std::uint32_t leaf_prim_id(const std::uint32_t* words, LeafRef lane) {
-  return leaf_word(words, lane, leaf_words_per_prim(lane.kind()) - 1);
+inline std::uint32_t leaf_prim_id(const LeafRow* rows, LeafRef lane) {
+  return leaf_word(rows, lane, leaf_id_row(lane.kind()));
 }
 
 }  // namespace dapple

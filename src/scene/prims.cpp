@@ -1,5 +1,6 @@
 #include "scene/prims.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -41,12 +42,19 @@ Bounds3f scene_bounds(const SceneView& scene) {
   return all;
 }
 
-void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimId id,
-                std::uint32_t* leaf, std::size_t count, std::size_t lane) {
-  std::uint32_t* word = leaf + lane;
+void clear_leaf(ShapeKind kind, LeafRow* leaf) {
+  std::fill_n(leaf, leaf_rows(kind), LeafRow{});
+  std::fill_n(leaf[leaf_id_row(kind)].words, kLeafWidth, kNoPrim);
+  if (kind == ShapeKind::sphere) return;
+  std::fill_n(leaf[0].words, kLeafWidth, std::bit_cast<std::uint32_t>(Bounds3f::kInfinity));
+  std::fill_n(leaf[1].words, kLeafWidth, std::bit_cast<std::uint32_t>(-Bounds3f::kInfinity));
+}
+
+void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimId id, LeafRow* leaf,
+                std::size_t lane) {
+  LeafRow* row = leaf;
   const auto put = [&](double value) {
-    *word = std::bit_cast<std::uint32_t>(to_float(value));
-    word += count;
+    row++->words[lane] = std::bit_cast<std::uint32_t>(to_float(value));
   };
   if (kind == ShapeKind::sphere) {
     const Sphere& s = scene.spheres[index];
@@ -55,7 +63,7 @@ void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimI
     const Rectangle& r = scene.rectangles[rectangle_index(kind)][index];
     for (const double value : {r.u0, r.u1, r.v0, r.v1, r.k}) put(value);
   }
-  *word = id;
+  row->words[lane] = id;
 }
 
 }  // namespace dapple

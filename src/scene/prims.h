@@ -13,8 +13,11 @@ namespace dapple {
 
 [[nodiscard]] Bounds3f scene_bounds(const SceneView& scene);
 
-// Writes shape `index` of `kind` as primitive `lane` of a leaf of `count` that begins at `leaf`.
-void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimId id,
-                std::uint32_t* leaf, std::size_t count, std::size_t lane);
+// Makes a leaf of no primitives out of `leaf_rows(kind)` rows.
+void clear_leaf(ShapeKind kind, LeafRow* leaf);
+
+// Writes shape `index` of `kind` as primitive `id` into a lane of the leaf that begins at `leaf`.
+void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimId id, LeafRow* leaf,
+                std::size_t lane);
 
 }  // namespace dapple

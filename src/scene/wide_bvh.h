@@ -1,8 +1,9 @@
 // The finished BVH as plain data: what kernels traverse and what a scene file may hold.
 //
 // Nodes stand in depth-first order: node 0 is the root, and the first inner child of a node is
-// the next node. Leaves stand in the order in which that walk meets them and tile the words
-// exactly, so one linear pass proves a tree whole.
+// the next node. Leaves stand in the order of the nodes they hang from, and under one node in the
+// order of its children; they tile the rows exactly. So one linear pass over the nodes proves a
+// tree whole.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +15,35 @@
 namespace dapple {
 
 inline constexpr int kWideWidth = 16;
-inline constexpr std::size_t kMaxWideLeafCount = 16;
 // Levels of nodes at most; the traversal's stacks are made for it.
 inline constexpr int kMaxWideDepth = 48;
 
-// A child of a wide node in 64 bits: a LeafRef, or with all four kind bits set the index of a
-// node, or with all bits set nothing.
+// A child of a wide node in 32 bits: the index of a node below 2^31 - 1; or a leaf, with the
+// highest bit set, three bits for its kind and 28 for its first row; or kEmpty.
 struct ChildRef {
-  std::uint64_t bits = ~std::uint64_t{0};
+  std::uint32_t bits = kEmpty;
 
-  static constexpr std::uint64_t kNodeTag = std::uint64_t{15} << 60;
+  static constexpr std::uint32_t kEmpty = 0xffffffffu;
+  static constexpr std::uint32_t kLeafTag = 0x80000000u;
+  static constexpr std::uint64_t kMaxRow = (std::uint64_t{1} << 28) - 1;  // 16 GiB of leaves
 
   constexpr ChildRef() = default;
-  constexpr explicit ChildRef(std::uint64_t b) : bits(b) {}
-  constexpr explicit ChildRef(LeafRef leaf) : bits(leaf.bits) {}
-  static constexpr ChildRef node(std::uint64_t index) { return ChildRef(kNodeTag | index); }
+  constexpr explicit ChildRef(std::uint32_t b) : bits(b) {}
+  static constexpr ChildRef node(std::size_t index) {
+    return ChildRef(static_cast<std::uint32_t>(index));
+  }
+  static constexpr ChildRef leaf(ShapeKind kind, std::size_t first_row) {
+    return ChildRef(kLeafTag | static_cast<std::uint32_t>(kind) << 28 |
+                    static_cast<std::uint32_t>(first_row));
+  }
 
-  constexpr bool empty() const { return bits == ~std::uint64_t{0}; }
-  constexpr bool is_leaf() const { return bits < kNodeTag; }
-  constexpr std::uint64_t node_index() const { return bits & ~kNodeTag; }
-  constexpr LeafRef leaf() const { return LeafRef(bits); }
+  constexpr bool empty() const { return bits == kEmpty; }
+  constexpr bool is_leaf() const { return bits >= kLeafTag && bits != kEmpty; }
+  constexpr bool is_node() const { return bits < kLeafTag; }
+  constexpr std::size_t node_index() const { return bits; }
+  constexpr ShapeKind leaf_kind() const { return static_cast<ShapeKind>(bits >> 28 & 7); }
+  constexpr std::size_t leaf_row() const { return bits & kMaxRow; }
+  constexpr LeafRef leaf_ref() const { return {leaf_kind(), leaf_row()}; }
 };
 
 // Used children come first; an empty one has the empty box (lo = +inf, hi = -inf).
@@ -42,12 +52,12 @@ struct alignas(64) WideNode {
   float hi[3][kWideWidth];
   ChildRef children[kWideWidth];
 };
-static_assert(sizeof(WideNode) == 512);
+static_assert(sizeof(WideNode) == 448);
 
-// An empty scene has no nodes. Words end with kLeafPaddingWords zeros.
+// An empty scene has no nodes and no rows.
 struct WideBvhView {
   std::span<const WideNode> nodes;
-  std::span<const std::uint32_t> leaf_words;
+  std::span<const LeafRow> rows;
 
   bool empty() const { return nodes.empty(); }
 };

@@ -17,7 +17,7 @@ namespace dapple {
 // Leaves that every ray is tested against, in the order of primitive ids.
 struct LinearView {
   std::span<const LeafRef> leaves;
-  const std::uint32_t* words = nullptr;
+  const LeafRow* rows = nullptr;
 };
 
 struct KernelTable {

@@ -20,6 +20,10 @@ struct LaneHits {
   FloatVec t;
 };
 
+HWY_INLINE FloatVec load_row(const LeafRow* rows, std::size_t row, std::size_t i) {
+  return load_floats(reinterpret_cast<const float*>(rows[row].words + i));
+}
+
 // The own-box rule for the spheres that passed so far.
 HWY_INLINE LaneHits enter_sphere_boxes(const PreparedRay& ray, FloatVec cx, FloatVec cy,
                                        FloatVec cz, FloatVec radius, LaneHits hits,
@@ -36,13 +40,12 @@ HWY_INLINE LaneHits enter_sphere_boxes(const PreparedRay& ray, FloatVec cx, Floa
   return {hn::And(hits.mask, inside), t};
 }
 
-// Spheres [i, i + kLanes) of a leaf of n.
-HWY_INLINE LaneHits intersect_spheres(const PreparedRay& ray, const std::uint32_t* leaf,
-                                      std::size_t n, std::size_t i, float t_best) {
+// Spheres [i, i + kLanes) of a leaf.
+HWY_INLINE LaneHits intersect_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                      float t_best) {
   const Floats d;
-  const std::uint32_t* words = leaf + i;
-  const FloatVec cx = load_floats(words), cy = load_floats(words + n);
-  const FloatVec cz = load_floats(words + 2 * n), radius = load_floats(words + 3 * n);
+  const FloatVec cx = load_row(leaf, 0, i), cy = load_row(leaf, 1, i);
+  const FloatVec cz = load_row(leaf, 2, i), radius = load_row(leaf, 3, i);
   const FloatVec ox = hn::Sub(all(ray.origin[0]), cx);
   const FloatVec oy = hn::Sub(all(ray.origin[1]), cy);
   const FloatVec oz = hn::Sub(all(ray.origin[2]), cz);
@@ -55,72 +58,70 @@ HWY_INLINE LaneHits intersect_spheres(const PreparedRay& ray, const std::uint32_
   const FloatVec pz = hn::Add(oz, hn::Mul(t_mid, dz));
   const FloatVec squared = hn::Add(hn::Add(hn::Mul(px, px), hn::Mul(py, py)), hn::Mul(pz, pz));
   const FloatVec discriminant = hn::Sub(hn::Mul(radius, radius), squared);
-  FloatMask mask = hn::And(hn::Gt(discriminant, hn::Zero(d)), hn::FirstN(d, n - i));
+  FloatMask mask = hn::Gt(discriminant, hn::Zero(d));
   if (hn::AllFalse(d, mask)) return {mask, t_mid};
   const FloatVec half_chord = hn::Sqrt(hn::Mul(discriminant, inverse_dot));
   const FloatVec first = hn::Sub(t_mid, half_chord);
   const FloatVec second = hn::Add(t_mid, half_chord);
   const FloatVec t = hn::IfThenElse(hn::Ge(first, t_min), first, second);
   mask = hn::And(mask, hn::And(hn::Ge(t, t_min), hn::Le(t, t_max)));
-  if (hn::AllFalse(d, mask)) return {mask, t};
   return enter_sphere_boxes(ray, cx, cy, cz, radius, {mask, t}, t_max);
 }
 
-// Rectangles [i, i + kLanes) of a leaf of n.
+// Rectangles [i, i + kLanes) of a leaf.
 HWY_INLINE LaneHits intersect_rectangles(const PreparedRay& ray, RectangleAxes axes,
-                                         const std::uint32_t* leaf, std::size_t n, std::size_t i,
-                                         float t_best) {
+                                         const LeafRow* leaf, std::size_t i, float t_best) {
   const Floats d;
-  const std::uint32_t* words = leaf + i;
   const float k_direction = ray.direction[axes.k];
   const bool parallel = k_direction < kSmallestDirection && k_direction > -kSmallestDirection;
   if (parallel) return {hn::FirstN(d, 0), hn::Zero(d)};
   const bool u_up = ray.inverse[axes.u] >= 0.0f, v_up = ray.inverse[axes.v] >= 0.0f;
-  const FloatVec u_near = meet(load_floats(words + (u_up ? 0 : n)), ray, axes.u);
-  const FloatVec u_far = meet(load_floats(words + (u_up ? n : 0)), ray, axes.u);
-  const FloatVec v_near = meet(load_floats(words + (v_up ? 2 * n : 3 * n)), ray, axes.v);
-  const FloatVec v_far = meet(load_floats(words + (v_up ? 3 * n : 2 * n)), ray, axes.v);
-  const FloatVec t = meet(load_floats(words + 4 * n), ray, axes.k);
+  const FloatVec u_near = meet(load_row(leaf, u_up ? 0 : 1, i), ray, axes.u);
+  const FloatVec u_far = meet(load_row(leaf, u_up ? 1 : 0, i), ray, axes.u);
+  const FloatVec v_near = meet(load_row(leaf, v_up ? 2 : 3, i), ray, axes.v);
+  const FloatVec v_far = meet(load_row(leaf, v_up ? 3 : 2, i), ray, axes.v);
+  const FloatVec t = meet(load_row(leaf, 4, i), ray, axes.k);
   const FloatVec near = hn::Max(hn::Max(u_near, v_near), all(ray.t_min));
   const FloatVec far = hn::Min(hn::Min(u_far, v_far), all(t_best));
-  const FloatMask inside = hn::And(hn::Ge(t, near), hn::Le(t, far));
-  return {hn::And(inside, hn::FirstN(d, n - i)), t};
+  return {hn::And(hn::Ge(t, near), hn::Le(t, far)), t};
 }
 
-HWY_INLINE LaneHits intersect_lanes(const PreparedRay& ray, LeafRef leaf,
-                                    const std::uint32_t* words, std::size_t i, float t_best) {
-  const std::uint32_t* begin = words + leaf.offset();
-  if (HWY_LIKELY(leaf.kind() == ShapeKind::sphere)) {
-    return intersect_spheres(ray, begin, leaf.count(), i, t_best);
-  }
-  return intersect_rectangles(ray, rectangle_axes(leaf.kind()), begin, leaf.count(), i, t_best);
+HWY_INLINE LaneHits intersect_lanes(const PreparedRay& ray, ShapeKind kind, const LeafRow* leaf,
+                                    std::size_t i, float t_best) {
+  if (HWY_LIKELY(kind == ShapeKind::sphere)) return intersect_spheres(ray, leaf, i, t_best);
+  return intersect_rectangles(ray, rectangle_axes(kind), leaf, i, t_best);
 }
 
-// Takes the hits in ascending order of ids, which is their order in the leaf.
-HWY_INLINE void keep_best(LaneHits hits, LeafRef leaf, const std::uint32_t* words, std::size_t i,
+// The nearest of the hits, the first lane among equals (lanes stand by ascending id), if it is
+// better than what was found before.
+HWY_INLINE void keep_best(LaneHits hits, LeafRef leaf, const LeafRow* rows, std::size_t i,
                           Hit& best) {
-  alignas(64) float t[16];
-  hn::Store(hits.t, Floats(), t);
-  std::uint32_t bits = bits_of(hits.mask);
-  while (bits != 0) {
-    const std::uint32_t lane = take_lowest(bits);
-    const LeafRef prim = leaf.lane(i + lane);
-    const PrimId id = leaf_prim_id(words, prim);
-    if (t[lane] < best.t || (t[lane] == best.t && id < best.prim)) best = {t[lane], id, prim};
+  const Floats d;
+  const FloatVec infinite = all(Bounds3f::kInfinity);
+  const FloatVec t = hn::IfThenElse(hits.mask, hits.t, infinite);
+  const FloatVec nearest = hn::MinOfLanes(d, t);
+  const std::uint32_t bits = bits_of(hn::And(hits.mask, hn::Eq(t, nearest)));
+  const std::size_t lane = i + static_cast<std::size_t>(__builtin_ctz(bits | 0x10000u)) % 16;
+  const float t_nearest = hn::GetLane(nearest);
+  const PrimId id = rows[leaf_id_row(leaf.kind())].words[lane];
+  if (t_nearest < best.t || (t_nearest == best.t && id < best.prim)) {
+    best = {t_nearest, id, leaf.lane(lane)};
   }
 }
 
-HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const std::uint32_t* words,
+HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
                                Hit& best) {
-  for (std::size_t i = 0; i < leaf.count(); i += kLanes) {
-    const LaneHits hits = intersect_lanes(ray, leaf, words, i, best.t);
-    if (!hn::AllFalse(Floats(), hits.mask)) keep_best(hits, leaf, words, i, best);
+  const LeafRow* begin = rows + leaf.first_row();
+  for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
+    const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, best.t);
+    if (!hn::AllFalse(Floats(), hits.mask)) keep_best(hits, leaf, begin, i, best);
   }
 }
 
-HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const std::uint32_t* words) {
-  for (std::size_t i = 0; i < leaf.count(); i += kLanes) {
-    const LaneHits hits = intersect_lanes(ray, leaf, words, i, ray.t_max);
+HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows) {
+  const LeafRow* begin = rows + leaf.first_row();
+  for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
+    const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, ray.t_max);
     if (!hn::AllFalse(Floats(), hits.mask)) return true;
   }
   return false;

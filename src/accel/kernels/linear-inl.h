@@ -19,7 +19,7 @@ HWY_ATTR void intersect_linear(const LinearView& view, const Ray* rays, Hit* hit
     const PreparedRay ray = prepare(rays[r]);
     Hit best = nothing_before(ray.t_max);
     for (std::size_t i = 0; i < view.leaves.size(); ++i) {
-      intersect_leaf(ray, view.leaves[i], view.words, best);
+      intersect_leaf(ray, view.leaves[i], view.rows, best);
     }
     hits[r] = finished(best);
   }
@@ -31,7 +31,7 @@ HWY_ATTR void occluded_linear(const LinearView& view, const Ray* rays, std::uint
     const PreparedRay ray = prepare(rays[r]);
     occluded[r] = 0;
     for (std::size_t i = 0; i < view.leaves.size() && occluded[r] == 0; ++i) {
-      occluded[r] = leaf_occludes(ray, view.leaves[i], view.words) ? 1 : 0;
+      occluded[r] = leaf_occludes(ray, view.leaves[i], view.rows) ? 1 : 0;
     }
   }
 }

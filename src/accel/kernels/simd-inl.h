@@ -24,9 +24,6 @@ using FloatMask = hn::Mask<Floats>;
 inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
 
 HWY_INLINE FloatVec all(float x) { return hn::Set(Floats(), x); }
-HWY_INLINE FloatVec load_floats(const std::uint32_t* words) {
-  return hn::LoadU(Floats(), reinterpret_cast<const float*>(words));
-}
 HWY_INLINE FloatVec load_floats(const float* floats) { return hn::Load(Floats(), floats); }
 
 // Bit i is lane i of the mask.

@@ -1,6 +1,12 @@
-// Traversal of the wide BVH, one ray at a time, all children of a node at once.
+// Traversal of the wide BVH: many rays in flight, all children of a node at once.
+//
+// A thread steps many searches in turn, first those whose next visit is a node, then those whose
+// next visit is a leaf. So the memory that one search waits for arrives while others work, and
+// almost nothing is left that a branch predictor could get wrong: which lanes were hit is data,
+// never control flow.
 #include "accel/kernels/dispatch.h"
 #include "accel/kernels/leaf-inl.h"
+#include "accel/kernels/stack-inl.h"
 
 #if defined(DAPPLE_KERNELS_WIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_WIDE_INL_H
@@ -13,117 +19,168 @@ HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
 
-// A child still to be visited, and where the ray enters its box.
-struct Pending {
-  float near;
-  ChildRef child;
-};
-
-// Every level of the tree leaves at most all children but one behind.
-inline constexpr std::size_t kStackSize = kMaxWideDepth * (kWideWidth - 1) + 1;
-
 // Which planes of a node's boxes a ray meets first depends on the signs of its direction.
 struct NodePlanes {
-  std::size_t near[3], far[3];  // float offsets in a node
-
-  HWY_INLINE explicit NodePlanes(const PreparedRay& ray) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool up = ray.inverse[axis] >= 0.0f;
-      near[axis] = (axis + (up ? 0 : 3)) * kWideWidth;
-      far[axis] = (axis + (up ? 3 : 0)) * kWideWidth;
-    }
-  }
+  std::uint32_t near[3], far[3];  // float offsets in a node
 };
 
-// Enters the boxes of a node; bit i is set if the ray passes child i no later than t_best.
-HWY_INLINE std::uint32_t enter_children(const PreparedRay& ray, const NodePlanes& planes,
-                                        const WideNode& node, float t_best, float* near) {
-  const float* floats = &node.lo[0][0];
-  const FloatVec t_min = all(ray.t_min), t_max = all(t_best);
-  std::uint32_t bits = 0;
+HWY_INLINE NodePlanes planes_of(const PreparedRay& ray) {
+  NodePlanes planes;
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const bool up = ray.inverse[axis] >= 0.0f;
+    planes.near[axis] = (axis + (up ? 0 : 3)) * kWideWidth;
+    planes.far[axis] = (axis + (up ? 3 : 0)) * kWideWidth;
+  }
+  return planes;
+}
+
+// A ray in flight.
+struct Search {
+  PreparedRay ray;
+  NodePlanes planes;
+  Hit best;
+  ChildRef current;   // what is to be visited next
+  std::size_t index;  // of the ray in the stream
+  PendingStack pending;
+};
+
+// Lanes [i, i + kLanes) of a node: where the ray enters their boxes, and which it passes in time.
+HWY_INLINE LaneHits enter_boxes(const Search& search, const WideNode& node, std::size_t i) {
+  const PreparedRay& ray = search.ray;
+  const float* floats = &node.lo[0][0] + i;
+  const FloatVec nx = meet(load_floats(floats + search.planes.near[0]), ray, 0);
+  const FloatVec ny = meet(load_floats(floats + search.planes.near[1]), ray, 1);
+  const FloatVec nz = meet(load_floats(floats + search.planes.near[2]), ray, 2);
+  const FloatVec fx = meet(load_floats(floats + search.planes.far[0]), ray, 0);
+  const FloatVec fy = meet(load_floats(floats + search.planes.far[1]), ray, 1);
+  const FloatVec fz = meet(load_floats(floats + search.planes.far[2]), ray, 2);
+  const FloatVec entry = hn::Max(hn::Max(nx, ny), hn::Max(nz, all(ray.t_min)));
+  const FloatVec exit = hn::Min(hn::Min(fx, fy), hn::Min(fz, all(search.best.t)));
+  return {hn::Le(entry, exit), entry};
+}
+
+HWY_INLINE void visit_node(const WideNode& node, Search& search) {
+  const std::size_t bottom = search.pending.top;
   for (std::size_t i = 0; i < kWideWidth; i += kLanes) {
-    const FloatVec nx = meet(load_floats(floats + planes.near[0] + i), ray, 0);
-    const FloatVec ny = meet(load_floats(floats + planes.near[1] + i), ray, 1);
-    const FloatVec nz = meet(load_floats(floats + planes.near[2] + i), ray, 2);
-    const FloatVec fx = meet(load_floats(floats + planes.far[0] + i), ray, 0);
-    const FloatVec fy = meet(load_floats(floats + planes.far[1] + i), ray, 1);
-    const FloatVec fz = meet(load_floats(floats + planes.far[2] + i), ray, 2);
-    const FloatVec entry = hn::Max(hn::Max(nx, ny), hn::Max(nz, t_min));
-    const FloatVec exit = hn::Min(hn::Min(fx, fy), hn::Min(fz, t_max));
-    hn::Store(entry, Floats(), near + i);
-    bits |= bits_of(hn::Le(entry, exit)) << i;
+    push_children(enter_boxes(search, node, i), node.children + i, bottom, search.pending);
   }
-  return bits;
 }
 
-// Puts the children in `bits` on the stack, the nearest on top.
-HWY_INLINE Pending* push_sorted(const WideNode& node, std::uint32_t bits, const float* near,
-                                Pending* top) {
-  Pending* const bottom = top;
-  while (bits != 0) {
-    const std::uint32_t i = take_lowest(bits);
-    const Pending pending{near[i], node.children[i]};
-    Pending* place = top++;
-    for (; place != bottom && place[-1].near < pending.near; --place) *place = place[-1];
-    *place = pending;
-  }
-  return top;
+// Asks for the memory that visiting `child` will read: seven cache lines of a node, five or six of
+// a leaf. Without branches, so some lines are asked for twice.
+HWY_INLINE void prefetch(const WideBvhView& bvh, ChildRef child) {
+  const bool is_leaf = child.is_leaf();
+  const char* rows = reinterpret_cast<const char*>(bvh.rows.data()) + child.leaf_row() * 64;
+  const char* nodes = reinterpret_cast<const char*>(bvh.nodes.data());
+  const char* node = nodes + (child.is_node() ? child.node_index() * sizeof(WideNode) : 0);
+  const char* begin = is_leaf ? rows : node;
+  __builtin_prefetch(begin);
+  __builtin_prefetch(begin + 64);
+  __builtin_prefetch(begin + 128);
+  __builtin_prefetch(begin + 192);
+  __builtin_prefetch(begin + 256);
+  const char* rest = begin + (is_leaf ? 0 : 320);
+  __builtin_prefetch(rest);
+  __builtin_prefetch(rest + 64);
 }
 
-HWY_INLINE Hit intersect_one(const WideBvhView& bvh, const Ray& input) {
-  const PreparedRay ray = prepare(input);
-  const NodePlanes planes(ray);
-  Hit best = nothing_before(ray.t_max);
-  Pending stack[kStackSize];
-  Pending* top = stack;
-  *top++ = {ray.t_min, ChildRef::node(0)};
-  alignas(64) float near[kWideWidth];
-  while (top != stack) {
-    const Pending next = *--top;
-    if (next.near > best.t) continue;
-    if (next.child.is_leaf()) {
-      intersect_leaf(ray, next.child.leaf(), bvh.leaf_words.data(), best);
-      continue;
+// More hide more latency until their state no longer fits into the first-level cache.
+inline constexpr std::size_t kInFlight = 24;
+
+// The searches of a stream, in lists by what they do next.
+struct Worklists {
+  std::uint8_t at_node[kInFlight] = {}, at_leaf[kInFlight] = {}, ended[kInFlight] = {};
+  std::size_t node_count = 0, leaf_count = 0, ended_count = 0;
+};
+
+// Files a search under what its stack says is next.
+HWY_INLINE void advance(const WideBvhView& bvh, Search& search, std::size_t id, Worklists& lists) {
+  search.current = pop_nearest(search.pending, search.best.t);
+  const bool is_leaf = search.current.is_leaf(), is_node = search.current.is_node();
+  lists.at_leaf[lists.leaf_count] = lists.at_node[lists.node_count] =
+      lists.ended[lists.ended_count] = static_cast<std::uint8_t>(id);
+  lists.leaf_count += is_leaf;
+  lists.node_count += is_node;
+  lists.ended_count += !is_leaf && !is_node;
+  prefetch(bvh, search.current);
+}
+
+HWY_INLINE void start(const Ray& ray, std::size_t index, Search& search) {
+  search.ray = prepare(ray);
+  search.planes = planes_of(search.ray);
+  search.best = nothing_before(search.ray.t_max);
+  search.index = index;
+  search.current = ChildRef::node(0);
+  clear(search.pending);
+}
+
+// Rays of a stream still to be started, and what to do with a search that ended.
+template <class Finish>
+struct Stream {
+  const Ray* rays;
+  std::size_t count;
+  std::size_t next;
+  Finish finish;
+};
+
+template <bool kAnyHit, class Finish>
+HWY_INLINE void trace_stream(const WideBvhView& bvh, Stream<Finish> stream) {
+  Search searches[kInFlight];
+  Worklists lists;
+  for (std::size_t id = 0; id < kInFlight && stream.next < stream.count; ++id, ++stream.next) {
+    start(stream.rays[stream.next], stream.next, searches[id]);
+    lists.at_node[lists.node_count++] = static_cast<std::uint8_t>(id);
+  }
+  while (lists.node_count + lists.leaf_count != 0) {
+    for (std::size_t i = 0; i < lists.node_count; ++i) {
+      Search& search = searches[lists.at_node[i]];
+      visit_node(bvh.nodes[search.current.node_index()], search);
     }
-    const WideNode& node = bvh.nodes[next.child.node_index()];
-    const std::uint32_t bits = enter_children(ray, planes, node, best.t, near);
-    top = push_sorted(node, bits, near, top);
-  }
-  return finished(best);
-}
-
-HWY_INLINE bool occluded_one(const WideBvhView& bvh, const Ray& input) {
-  const PreparedRay ray = prepare(input);
-  const NodePlanes planes(ray);
-  ChildRef stack[kStackSize];
-  ChildRef* top = stack;
-  *top++ = ChildRef::node(0);
-  alignas(64) float near[kWideWidth];
-  while (top != stack) {
-    const ChildRef next = *--top;
-    if (next.is_leaf()) {
-      if (leaf_occludes(ray, next.leaf(), bvh.leaf_words.data())) return true;
-      continue;
+    for (std::size_t i = 0; i < lists.leaf_count; ++i) {
+      Search& search = searches[lists.at_leaf[i]];
+      intersect_leaf(search.ray, search.current.leaf_ref(), bvh.rows.data(), search.best);
+      if (kAnyHit && search.best.prim != kNoPrim) clear(search.pending);
     }
-    const WideNode& node = bvh.nodes[next.node_index()];
-    std::uint32_t bits = enter_children(ray, planes, node, ray.t_max, near);
-    while (bits != 0) *top++ = node.children[take_lowest(bits)];
+    Worklists next;
+    for (std::size_t i = 0; i < lists.node_count; ++i) {
+      advance(bvh, searches[lists.at_node[i]], lists.at_node[i], next);
+    }
+    for (std::size_t i = 0; i < lists.leaf_count; ++i) {
+      advance(bvh, searches[lists.at_leaf[i]], lists.at_leaf[i], next);
+    }
+    for (std::size_t i = 0; i < next.ended_count; ++i) {
+      Search& search = searches[next.ended[i]];
+      stream.finish(search.index, search.best);
+      if (stream.next == stream.count) continue;
+      start(stream.rays[stream.next], stream.next, search);
+      ++stream.next;
+      next.at_node[next.node_count++] = next.ended[i];
+    }
+    next.ended_count = 0;
+    lists = next;
   }
-  return false;
 }
 
 HWY_ATTR void intersect_wide(const WideBvhView& bvh, const Ray* rays, Hit* hits,
                              std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    hits[i] = bvh.nodes.empty() ? Hit{} : intersect_one(bvh, rays[i]);
+  const auto finish = [hits](std::size_t i, const Hit& best) { hits[i] = finished(best); };
+  if (bvh.empty()) {
+    for (std::size_t i = 0; i < count; ++i) hits[i] = Hit{};
+    return;
   }
+  trace_stream<false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
 }
 
 HWY_ATTR void occluded_wide(const WideBvhView& bvh, const Ray* rays, std::uint8_t* occluded,
                             std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    occluded[i] = !bvh.nodes.empty() && occluded_one(bvh, rays[i]) ? 1 : 0;
+  const auto finish = [occluded](std::size_t i, const Hit& best) {
+    occluded[i] = best.prim != kNoPrim ? 1 : 0;
+  };
+  if (bvh.empty()) {
+    for (std::size_t i = 0; i < count; ++i) occluded[i] = 0;
+    return;
   }
+  trace_stream<true>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
 }
 
 }  // namespace HWY_NAMESPACE
