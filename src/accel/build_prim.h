@@ -10,7 +10,7 @@ namespace dapple {
 
 // Two vectors of four; the fourth lanes are not part of the box. As a float an id is mostly a
 // denormal number, slow to calculate with, so sums leave it out.
-struct alignas(32) BuildPrim {
+struct alignas(16) BuildPrim {
   float lo[3];
   PrimId id;
   float hi[3];

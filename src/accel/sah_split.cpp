@@ -12,7 +12,7 @@ namespace {
 constexpr int kBinCount = 16;
 
 // Cost of a leaf, or of what becomes of this many primitives: leaves are tested in blocks.
-constexpr std::size_t kBlock = 4;
+constexpr std::size_t kBlock = 16;
 float cost_of(std::size_t count) { return static_cast<float>((count + kBlock - 1) / kBlock); }
 
 struct Bin {
