@@ -2,17 +2,19 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "math/ray.h"
 
 namespace dapple {
 
+// Each vector is followed by a number of its own, so that four lanes can be stored at once.
 struct PreparedRay {
   float origin[3];
+  float t_min;  // at least 0
   float direction[3];
+  float t_max;        // negative when the ray can hit nothing
   float inverse[3];   // of the direction, never zero or infinite
-  float t_min;        // at least 0
-  float t_max;        // below t_min when the ray can hit nothing
   float inverse_dot;  // 1 / dot(direction, direction)
 };
 
@@ -24,18 +26,27 @@ inline float safe_inverse(float d) {
   return 1.0f / (std::fabs(d) < kSmallestDirection ? std::copysign(kSmallestDirection, d) : d);
 }
 
-inline PreparedRay prepare(const Ray& ray) {
+// The numbers that are not vectors.
+inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
   const float squared = dot(ray.direction, ray.direction);
+  const float origin_size =
+      std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+  // Also false where one of them is not a number.
+  const bool usable = (squared > 0.0f) & (squared <= std::numeric_limits<float>::max()) &
+                      (origin_size <= std::numeric_limits<float>::max());
+  prepared.inverse_dot = 1.0f / squared;
+  prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
+  prepared.t_max = usable ? ray.t_max : -1.0f;
+}
+
+inline PreparedRay prepare(const Ray& ray) {
   PreparedRay prepared;
   for (int axis = 0; axis < 3; ++axis) {
     prepared.origin[axis] = ray.origin[axis];
     prepared.direction[axis] = ray.direction[axis];
     prepared.inverse[axis] = safe_inverse(ray.direction[axis]);
   }
-  prepared.inverse_dot = 1.0f / squared;
-  prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
-  const bool usable = is_finite(ray.origin) && squared > 0.0f && std::isfinite(squared);
-  prepared.t_max = usable ? ray.t_max : -1.0f;
+  prepare_scalars(ray, prepared);
   return prepared;
 }
 

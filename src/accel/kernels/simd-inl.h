@@ -44,6 +44,28 @@ HWY_INLINE std::uint32_t take_lowest(std::uint32_t& bits) {
   return index;
 }
 
+// prepare() with the three divisions of the inverse direction at once.
+HWY_INLINE PreparedRay prepare_fast(const Ray& ray) {
+#if HWY_TARGET == HWY_SCALAR
+  return prepare(ray);
+#else
+  const hn::FixedTag<float, 4> d;
+  using Vec = decltype(hn::Zero(d));
+  const Vec origin = hn::LoadU(d, &ray.origin.x);        // and t_min
+  const Vec direction = hn::LoadU(d, &ray.direction.x);  // and t_max
+  const Vec smallest = hn::Set(d, kSmallestDirection);
+  const Vec divisor = hn::IfThenElse(hn::Lt(hn::Abs(direction), smallest),
+                                     hn::CopySign(smallest, direction), direction);
+  const Vec inverse = hn::Div(hn::Set(d, 1.0f), divisor);
+  PreparedRay prepared;
+  hn::StoreU(origin, d, prepared.origin);
+  hn::StoreU(direction, d, prepared.direction);
+  hn::StoreU(inverse, d, prepared.inverse);
+  prepare_scalars(ray, prepared);
+  return prepared;
+#endif
+}
+
 // (plane - origin) * inverse for one axis: where the ray meets the planes.
 HWY_INLINE FloatVec meet(FloatVec planes, const PreparedRay& ray, int axis) {
   return hn::Mul(hn::Sub(planes, all(ray.origin[axis])), all(ray.inverse[axis]));

@@ -30,13 +30,15 @@ struct PendingStack {
   std::size_t top;
 };
 
-HWY_INLINE void clear(PendingStack& stack) {
+// Once, before the first use; what stands at the bottom is never written again.
+HWY_INLINE void make_bottom(PendingStack& stack) {
   for (std::size_t i = 0; i < kStackBottom; ++i) {
     stack.keys[i] = 0xff800000u;  // -infinity
     stack.children[i] = ChildRef::kEmpty;
   }
-  stack.top = kStackBottom;
 }
+
+HWY_INLINE void clear(PendingStack& stack) { stack.top = kStackBottom; }
 
 #if HWY_TARGET <= HWY_AVX3
 

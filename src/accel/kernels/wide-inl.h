@@ -106,7 +106,7 @@ HWY_INLINE void advance(const WideBvhView& bvh, Search& search, std::size_t id, 
 }
 
 HWY_INLINE void start(const Ray& ray, std::size_t index, Search& search) {
-  search.ray = prepare(ray);
+  search.ray = prepare_fast(ray);
   search.planes = planes_of(search.ray);
   search.best = nothing_before(search.ray.t_max);
   search.index = index;
@@ -127,6 +127,7 @@ template <bool kAnyHit, class Finish>
 HWY_INLINE void trace_stream(const WideBvhView& bvh, Stream<Finish> stream) {
   Search searches[kInFlight];
   Worklists lists;
+  for (Search& search : searches) make_bottom(search.pending);
   for (std::size_t id = 0; id < kInFlight && stream.next < stream.count; ++id, ++stream.next) {
     start(stream.rays[stream.next], stream.next, searches[id]);
     lists.at_node[lists.node_count++] = static_cast<std::uint8_t>(id);

@@ -1,0 +1,47 @@
+// The primitives of a scene while a tree is built over them: ranges are split in place.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "accel/partition.h"
+#include "accel/prim_range.h"
+#include "scene/scene_view.h"
+#include "util/huge_array.h"
+
+namespace dapple {
+
+enum class SplitBy {
+  sah,     // the surface area heuristic; in half where it finds nothing
+  number,  // in half, for trees that are getting too deep
+};
+
+class RangeSplitter {
+ public:
+  explicit RangeSplitter(const SceneView& scene);
+
+  std::size_t prim_count() const { return prims_.size(); }
+  PrimRange whole() const { return measure_range(prims_.span(), 0, prims_.size()); }
+
+  // A leaf holds at most kLeafWidth primitives of one kind. Cheap to ask again and again.
+  bool is_leaf(const PrimRange& range) const;
+  // Rearranges the primitives of a range that is not a leaf. Ranges that do not overlap may be
+  // split at the same time.
+  RangePair split(const PrimRange& range, SplitBy by);
+
+  // Writes the primitives of a leaf into its rows, by ascending id.
+  ShapeKind leaf_kind(const PrimRange& range) const { return kind_of(prims_[range.begin].id); }
+  void write_leaf(const PrimRange& range, LeafRow* leaf) const;
+
+ private:
+  ShapeKind kind_of(PrimId id) const;
+  RangePair cut(const PrimRange& range, std::size_t middle) const;
+  RangePair split_by_id(const PrimRange& range);
+
+  const SceneView& scene_;
+  std::array<std::size_t, kShapeKindCount> first_ids_;
+  HugeArray<BuildPrim> prims_;
+  HugeArray<BuildPrim> scratch_;  // for ranges that several threads split together
+};
+
+}  // namespace dapple
