@@ -34,12 +34,13 @@ double difference_of(float actual, float expected) {
 }
 
 void add_value(Sums& sums, int channel, double difference, float expected) {
+  if (difference == 0) return;
   const double squared = difference * difference;
+  const double scale =
+      std::isinf(squared) ? 1 : double{expected} * double{expected} + kRelativeFloor;
   sums.absolute += std::fabs(difference);
   sums.squared += squared;
-  sums.relative += std::isfinite(squared)
-                       ? squared / (double{expected} * double{expected} + kRelativeFloor)
-                       : squared;
+  sums.relative += squared / scale;
   if (std::isfinite(difference)) sums.difference[channel] += difference;
 }
 

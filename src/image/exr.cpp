@@ -18,6 +18,7 @@
 #include <cstring>
 
 #include "image/decoding.h"
+#include "image/exr_header.h"
 
 namespace dapple {
 namespace {
@@ -104,31 +105,6 @@ void write_exr(const Image& image, Imf::PixelType type, const void* values, Byte
 }
 
 // ---- Reading ----
-
-// Walks the attributes of the header (name, type, size, value), so that OpenEXR never makes room
-// for more than the file has. Their end is an empty name.
-Status check_attributes(std::span<const std::byte> bytes) {
-  std::size_t position = 8;  // after the magic number and the version
-  const auto skip_text = [&] {
-    const std::size_t start = position;
-    while (position < bytes.size() && bytes[position] != std::byte{0}) ++position;
-    ++position;
-    return position - start - 1;
-  };
-  while (position < bytes.size()) {
-    if (skip_text() == 0) return {};
-    skip_text();
-    if (position > bytes.size() || bytes.size() - position < 4) break;
-    std::uint32_t size = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      size |= std::to_integer<std::uint32_t>(bytes[position + i]) << (8 * i);
-    }
-    position += 4;
-    if (size > bytes.size() - position) break;
-    position += size;
-  }
-  return bad_byte(bytes.size(), "the file ends within its header");
-}
 
 // Blocks of lines, or tiles: the unit that is packed.
 struct Chunks {
@@ -264,7 +240,7 @@ Expected<Bytes> encode_exr(const Image& image, const ImageWriteOptions& options)
 }
 
 Expected<Image> decode_exr(std::span<const std::byte> bytes, const ImageReadOptions& options) try {
-  if (auto checked = check_attributes(bytes); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_exr_header(bytes); !checked) return tl::unexpected(checked.error());
   return read_exr(bytes, options);
 } catch (const Iex::BaseExc& error) {
   return fail(Errc::bad_data, "", std::string("damaged EXR: ") + error.what());
