@@ -37,10 +37,15 @@ void give_bytes(png_structp png, png_bytep data, std::size_t size) {
   reader->position += size;
 }
 
+// Chunks that we do not use: skipped, so that their length and what is packed in them take no
+// memory.
+constexpr png_byte kSkippedChunks[] = "eXIf\0hIST\0iCCP\0iTXt\0pCAL\0sCAL\0sPLT\0tEXt\0zTXt";
+
 void set_limits(Reader& reader) {
   png_set_user_limits(reader.png, 0x7fffffff, 0x7fffffff);
-  png_set_chunk_cache_max(reader.png, 128);
-  png_set_chunk_malloc_max(reader.png, 1 << 20);  // text and profiles, which are not read
+  png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, kSkippedChunks,
+                              sizeof kSkippedChunks / 5);
+  png_set_chunk_malloc_max(reader.png, 0);  // no limit
   // A damaged gAMA chunk is damage too: without it the picture would look different.
   png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
 }

@@ -61,10 +61,14 @@ void fill_row(Writer& writer, int y) {
   }
 }
 
+// A third of the default level's time, for files that are a tenth larger at most.
+constexpr int kCompressionLevel = 3;
+
 void write_all(Writer& writer) {
   png_structp png = writer.png;
   png_set_write_fn(png, &writer.bytes, take_bytes, flush_nothing);
   png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
+  png_set_compression_level(png, kCompressionLevel);
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(writer.image.width),
                static_cast<png_uint_32>(writer.image.height), writer.options.png_bits,
                PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,

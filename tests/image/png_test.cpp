@@ -132,6 +132,42 @@ TEST(Png, ChunksOfTheCurveAreHonoured) {
   EXPECT_EQ(srgb.x, static_cast<float>(decode_display(display, Transfer::srgb)));
 }
 
+TEST(Png, LongTextIsSkipped) {
+  const std::string long_text(9'000'000, 'x');
+  for (const int compression : {PNG_TEXT_COMPRESSION_NONE, PNG_TEXT_COMPRESSION_zTXt}) {
+    const Vec3f grey = mid_grey_with([&](png_structp png, png_infop info) {
+      png_text text{};
+      text.compression = compression;
+      text.key = const_cast<char*>("Comment");
+      text.text = const_cast<char*>(long_text.c_str());
+      text.text_length = long_text.size();
+      png_set_text(png, info, &text, 1);
+    });
+    EXPECT_EQ(grey, linear(128, 128, 128));
+  }
+}
+
+// One line of a picture that would take 40 GB.
+TEST(Png, APromisedSizeTakesNoMemory) {
+  constexpr png_uint_32 kSide = 60'000;
+  std::string file;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_set_write_fn(png, &file, append_bytes, [](png_structp) {});
+  png_set_IHDR(png, info, kSide, kSide, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_buffer_size(png, 64);  // so that pixels leave it at all
+  png_write_info(png, info);
+  png_write_row(png, std::vector<png_byte>(kSide * 3).data());
+  png_write_flush(png);
+  png_destroy_write_struct(&png, &info);
+  const auto image = decode_image(to_bytes(file), {Transfer::srgb, ~0ull});
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().code, Errc::bad_data);
+  EXPECT_NE(image.error().message.find("60000 x 60000 pixels need"), std::string::npos)
+      << to_string(image.error());
+}
+
 TEST(Png, DamageIsAnErrorThatNamesTheByte) {
   std::string file = make_png(2, {{1, 2, 3, 4, 5, 6}}, {});
   file.resize(file.size() - 20);

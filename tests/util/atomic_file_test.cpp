@@ -169,6 +169,17 @@ TEST(AtomicFile, ImpossibleTargetsCannotBeCreated) {
   EXPECT_EQ(get_file(folder / "file"), "content");
 }
 
+TEST(AtomicFile, PipesAreWrittenInPlaceUnderTheirDescriptorsName) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  EXPECT_TRUE(write_file_atomically("/dev/fd/" + std::to_string(ends[1]), bytes_of("through")));
+  char text[16] = {};
+  EXPECT_EQ(::read(ends[0], text, sizeof text), 7);
+  EXPECT_STREQ(text, "through");
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
 TEST(AtomicFile, DevicesAreWrittenInPlace) {
   EXPECT_TRUE(write_file_atomically("/dev/null", bytes_of("x")));
   const Status full = write_file_atomically("/dev/full", bytes_of("x"));
