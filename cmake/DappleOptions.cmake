@@ -24,6 +24,12 @@ target_compile_options(dapple_flags INTERFACE -ffp-contract=off -fno-math-errno 
 if(DAPPLE_WERROR)
   target_compile_options(dapple_flags INTERFACE -Werror)
 endif()
+if(DAPPLE_BUILD_FUZZERS)
+  # The library reports to the fuzzer which branches an input takes; its errors are never survived.
+  target_compile_options(dapple_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(dapple_flags INTERFACE -fsanitize=address,undefined)
+endif()
 if(DAPPLE_SANITIZE)
   target_compile_options(dapple_flags INTERFACE -fsanitize=${DAPPLE_SANITIZE}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)

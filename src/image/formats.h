@@ -1,8 +1,12 @@
-// One table of image formats: what a file name's ending selects.
+// Image files: one table of formats, read by content and written by the ending of the name.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/image.h"
 #include "util/error.h"
@@ -21,9 +25,33 @@ struct ImageWriteOptions {
   bool exr_float = false;  // 32-bit float instead of half
 };
 
+struct ImageReadOptions {
+  Transfer untagged = Transfer::srgb;     // curve of an integer file that does not name its own
+  std::uint64_t max_pixels = 1ull << 28;  // a larger picture is refused
+};
+
+// What a pixel value that a format cannot hold becomes:
+//            NaN   negative    too large    +infinity
+//   PPM PNG  0     0           greatest     greatest
+//   HDR      0     0           greatest     greatest
+//   EXR half NaN   kept        +-65504      kept
+//   EXR float and PFM keep every value as it is.
+
 // The format is chosen by the ending of `path` (.png, .exr, .pfm, .hdr, .ppm, in any case); any
 // other name is PPM. The file appears whole or not at all.
 [[nodiscard]] Status write_image(const std::string& path, const Image& image,
                                  const ImageWriteOptions& options);
+
+// The picture in linear light. The format is recognised by the file's first bytes, whatever its
+// name. Alpha is left out; a file without RGB channels gives grey.
+[[nodiscard]] Expected<Image> read_image(const std::string& path,
+                                         const ImageReadOptions& options = {});
+
+// The same in memory. `name` is read only for its ending.
+[[nodiscard]] Expected<std::vector<std::byte>> encode_image(std::string_view name,
+                                                            const Image& image,
+                                                            const ImageWriteOptions& options);
+[[nodiscard]] Expected<Image> decode_image(std::span<const std::byte> bytes,
+                                           const ImageReadOptions& options = {});
 
 }  // namespace dapple

@@ -19,9 +19,12 @@ struct Image {
         height(height_),
         pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
 
-  const Vec3f& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
+  const Vec3f& at(int x, int y) const { return pixels[index(x, y)]; }
+  Vec3f& at(int x, int y) { return pixels[index(x, y)]; }
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
   }
 };
 

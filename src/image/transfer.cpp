@@ -8,24 +8,48 @@ namespace dapple {
 namespace {
 
 // x^(1/2.4) as (x^5)^(1/12): two square roots and a cube root, each the same on every machine.
-float srgb_curve(float linear) {
-  if (linear <= 0.0031308f) return 12.92f * linear;
+double srgb_from_linear(double linear) {
+  if (linear <= 0.0031308) return 12.92 * linear;
   const double x = linear;
-  const double twelfth_root = cube_root(std::sqrt(std::sqrt(x * x * x * x * x)));
-  return static_cast<float>(1.055 * twelfth_root - 0.055);
+  return 1.055 * cube_root(std::sqrt(std::sqrt(x * x * x * x * x))) - 0.055;
+}
+
+double linear_from_srgb(double display) {
+  return display <= 0.04045 ? display / 12.92 : power((display + 0.055) / 1.055, 2.4);
+}
+
+template <class Decode>
+std::vector<float> make_table(std::uint32_t max, Decode decode) {
+  std::vector<float> table(max + 1);
+  for (std::uint32_t i = 0; i <= max; ++i) {
+    table[i] = static_cast<float>(decode(static_cast<double>(i) / max));
+  }
+  return table;
 }
 
 }  // namespace
 
-float encode_display(float linear, Transfer transfer) {
-  if (!(linear > 0.0f)) return 0.0f;
-  if (linear >= 1.0f) return 1.0f;
-  return transfer == Transfer::gamma2 ? std::sqrt(linear) : srgb_curve(linear);
+double encode_display(float linear, Transfer transfer) {
+  if (!(linear > 0.0f)) return 0.0;
+  if (linear >= 1.0f) return 1.0;
+  const double x = linear;
+  return transfer == Transfer::gamma2 ? std::sqrt(x) : srgb_from_linear(x);
 }
 
 std::uint32_t encode_integer(float linear, Transfer transfer, std::uint32_t max) {
-  const float display = encode_display(linear, transfer);
-  return static_cast<std::uint32_t>(display * static_cast<float>(max) + 0.5f);
+  return static_cast<std::uint32_t>(encode_display(linear, transfer) * max + 0.5);
+}
+
+double decode_display(double display, Transfer transfer) {
+  return transfer == Transfer::gamma2 ? display * display : linear_from_srgb(display);
+}
+
+std::vector<float> decode_table(std::uint32_t max, Transfer transfer) {
+  return make_table(max, [=](double display) { return decode_display(display, transfer); });
+}
+
+std::vector<float> decode_table(std::uint32_t max, double gamma) {
+  return make_table(max, [=](double display) { return power(display, 1 / gamma); });
 }
 
 }  // namespace dapple

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace dapple {
 namespace {
@@ -91,6 +92,44 @@ double cube_root(double x) {
   if (!(x > 0.0)) return 0.0;
   const auto bits = std::bit_cast<std::uint64_t>(x) / 3 + 0x2a9f7893'00000000u;
   return halley_cube_root(x, std::bit_cast<double>(bits), 3);
+}
+
+double binary_log(double x) {
+  constexpr double kTwoOverLn2 = 2.88539008177792681472;
+  constexpr int kTerms = 11;  // the first one left out is below 2^-60
+  // x = 2^exponent * m with m in [sqrt(1/2), sqrt(2)); ln m = 2 artanh((m - 1) / (m + 1)).
+  constexpr std::uint64_t kSqrtHalf = 0x3fe6a09e'667f3bcdu;
+  constexpr std::uint64_t kMantissa = 0x000fffff'ffffffffu;
+  const std::uint64_t shifted = std::bit_cast<std::uint64_t>(x) - kSqrtHalf;
+  const auto exponent = static_cast<double>(static_cast<std::int64_t>(shifted) >> 52);
+  const double m = std::bit_cast<double>((shifted & kMantissa) + kSqrtHalf);
+  const double s = (m - 1) / (m + 1);
+  const double s2 = s * s;
+  double sum = 0;
+  for (int n = kTerms; n >= 0; --n) sum = 1.0 / (2 * n + 1) + s2 * sum;
+  return exponent + kTwoOverLn2 * s * sum;
+}
+
+double binary_exp(double x) {
+  constexpr double kLn2 = 0.693147180559945309417;
+  constexpr int kTerms = 15;
+  if (!(x >= -1022)) return 0;
+  if (x >= 1024) return std::numeric_limits<double>::infinity();
+  const double whole = std::floor(x + 0.5);
+  const double t = (x - whole) * kLn2;
+  double sum = 1;
+  for (int n = kTerms; n > 0; --n) sum = 1 + t / n * sum;
+  // Half the scale twice: 2^1024 is no double, though 2^1023.9 is.
+  const auto half = static_cast<std::int64_t>(whole) / 2;
+  const auto scale = [](std::int64_t e) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+  };
+  return sum * scale(half) * scale(static_cast<std::int64_t>(whole) - half);
+}
+
+double power(double x, double y) {
+  if (!(x >= std::numeric_limits<double>::min())) return 0;
+  return binary_exp(y * binary_log(x));
 }
 
 }  // namespace dapple

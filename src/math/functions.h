@@ -19,4 +19,14 @@ struct SinCos {
 [[nodiscard]] float cube_root(float x);
 [[nodiscard]] double cube_root(double x);
 
+// Logarithm to base 2 of a finite x > 0, not subnormal; error below 1e-15 of the larger of |result|
+// and 1.
+[[nodiscard]] double binary_log(double x);
+
+// 2^x; relative error below 1e-15. Below -1022 the result is 0, from 1024 on infinity.
+[[nodiscard]] double binary_exp(double x);
+
+// x^y for finite x >= 0 and y > 0, by the two above; relative error below 1e-15 (1 + |y log2 x|).
+[[nodiscard]] double power(double x, double y);
+
 }  // namespace dapple

@@ -14,7 +14,10 @@ namespace dapple {
 namespace {
 
 constexpr mode_t kNewFileMode = 0666;  // less the umask
+constexpr mode_t kPermissions = 0777;
 constexpr int kNameTries = 100;
+constexpr int kMaxLinks = 40;
+constexpr std::size_t kMaxStem = 200;  // leaves room for the rest within the usual 255 bytes
 
 tl::unexpected<Error> creation_failed(const std::string& path, int error_number) {
   return fail(Errc::cannot_create, path, "cannot create: " + errno_text(error_number));
@@ -29,11 +32,24 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent;
 }
 
-// The file a symbolic link points at is what gets replaced, not the link.
-std::string resolve_links(const std::string& path) {
-  std::error_code ignored;
-  const auto resolved = std::filesystem::weakly_canonical(path, ignored);
-  return ignored || !std::filesystem::is_symlink(path, ignored) ? path : resolved.string();
+// The file a symbolic link points at is what gets replaced, not the link; it need not exist yet.
+Expected<std::string> resolve_links(const std::string& given) {
+  std::filesystem::path path = given;
+  std::error_code error;
+  for (int i = 0; i < kMaxLinks; ++i) {
+    if (!std::filesystem::is_symlink(path, error)) return path.string();
+    const auto target = std::filesystem::read_symlink(path, error);
+    if (error) return creation_failed(given, error.value());
+    path = path.parent_path() / target;  // just the target if that is absolute
+  }
+  return creation_failed(given, ELOOP);
+}
+
+// Beside the target, so that renaming never crosses a file system.
+std::string temporary_name(const std::string& path, int number) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  return fmt::format("{}/{}.{}.{}.tmp", folder_of(path), name.substr(0, kMaxStem), ::getpid(),
+                     number);
 }
 
 Status sync_folder(const std::string& path) {
@@ -59,33 +75,43 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
 
 AtomicFile::~AtomicFile() { discard(); }
 
-Expected<AtomicFile> AtomicFile::create(const std::string& given_path) {
-  if (given_path.empty()) return fail(Errc::cannot_create, "", "the output file's name is empty");
-  const std::string path = resolve_links(given_path);
+Expected<AtomicFile> AtomicFile::create(const std::string& path) {
+  if (path.empty()) return fail(Errc::cannot_create, "", "the output file's name is empty");
   struct stat status {};
-  if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-    if (S_ISDIR(status.st_mode)) return creation_failed(path, EISDIR);
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) return creation_failed(path, errno);
-    return AtomicFile(path, {}, descriptor);
-  }
+  if (::stat(path.c_str(), &status) != 0) return create_temporary(path, std::nullopt);
+  // Renaming needs no permission to write the file it replaces, so ask for it by opening.
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return creation_failed(path, errno);
+  if (!S_ISREG(status.st_mode)) return AtomicFile(path, {}, descriptor);
+  ::close(descriptor);
+  return create_temporary(path, status.st_mode & kPermissions);
+}
+
+Expected<AtomicFile> AtomicFile::create_temporary(const std::string& given_path,
+                                                  std::optional<mode_t> permissions) {
+  const auto path = resolve_links(given_path);
+  if (!path) return tl::unexpected(path.error());
   for (int i = 0; i < kNameTries; ++i) {
-    std::string temporary = fmt::format("{}.{}.{}.tmp", path, ::getpid(), i);
+    std::string temporary = temporary_name(*path, i);
     const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
     const int descriptor = ::open(temporary.c_str(), flags, kNewFileMode);
-    if (descriptor >= 0) return AtomicFile(path, std::move(temporary), descriptor);
-    if (errno != EEXIST) return creation_failed(path, errno);
+    if (descriptor >= 0) {
+      AtomicFile file(*path, std::move(temporary), descriptor);
+      if (permissions && ::fchmod(descriptor, *permissions) != 0) {
+        return creation_failed(*path, errno);
+      }
+      return file;
+    }
+    if (errno != EEXIST) return creation_failed(*path, errno);
   }
-  return creation_failed(path, EEXIST);
+  return creation_failed(*path, EEXIST);
 }
 
 Status AtomicFile::write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return writing_failed(path_, errno);
-    }
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return writing_failed(path_, written < 0 ? errno : EIO);
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
   return {};

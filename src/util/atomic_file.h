@@ -1,7 +1,10 @@
 // An output file that appears whole or not at all.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -10,8 +13,12 @@
 namespace dapple {
 
 // Writes to a temporary file beside the target; commit() flushes it to disk and renames it over
-// the target. Without commit() nothing remains and an earlier file stays as it was. Targets that
-// are not regular files (/dev/stdout, /dev/full, a pipe) are written in place.
+// the target. Without commit() nothing remains and an earlier file stays as it was. A replaced file
+// keeps its permissions; one that may not be written is not replaced. A symbolic link stays, the
+// file it names is replaced. Targets that are not regular files (/dev/stdout, /dev/full, a pipe)
+// are written in place.
+//
+// Errors: cannot_create when there can be no such file, io when writing fails half-way.
 class AtomicFile {
  public:
   [[nodiscard]] static Expected<AtomicFile> create(const std::string& path);
@@ -27,6 +34,8 @@ class AtomicFile {
 
  private:
   AtomicFile(std::string path, std::string temporary, int descriptor);
+  static Expected<AtomicFile> create_temporary(const std::string& path,
+                                               std::optional<mode_t> permissions);
   void discard();
 
   std::string path_;

@@ -32,5 +32,36 @@ TEST(Functions, CubeRootMatchesTheMathematicalLibrary) {
   }
 }
 
+TEST(Functions, BinaryLogMatchesTheMathematicalLibrary) {
+  EXPECT_EQ(binary_log(1), 0);
+  EXPECT_EQ(binary_log(0x1p-1022), -1022);
+  EXPECT_EQ(binary_log(0x1p1023), 1023);
+  for (double x = 1e-300; x < 1e300; x *= 1.0137) {
+    const double expected = std::log2(x);
+    EXPECT_NEAR(binary_log(x), expected, 1e-15 * std::fmax(1, std::fabs(expected))) << x;
+  }
+}
+
+TEST(Functions, BinaryExpMatchesTheMathematicalLibrary) {
+  EXPECT_EQ(binary_exp(0), 1);
+  EXPECT_EQ(binary_exp(1024), HUGE_VAL);
+  EXPECT_EQ(binary_exp(-1023), 0);
+  EXPECT_EQ(binary_exp(-HUGE_VAL), 0);
+  for (double x = -1022; x < 1024; x += 0.0737) {
+    EXPECT_NEAR(binary_exp(x) / std::exp2(x), 1, 1e-15) << x;
+  }
+}
+
+TEST(Functions, PowerMatchesTheMathematicalLibrary) {
+  EXPECT_EQ(power(0, 2.4), 0);
+  EXPECT_EQ(power(1, 2.4), 1);
+  for (const double y : {0.1, 1 / 2.2, 1.0, 2.0, 2.2, 2.4, 5.0}) {
+    for (double x = 1e-9; x < 1e9; x *= 1.0137) {
+      const double allowed = 1e-15 * (1 + std::fabs(y * std::log2(x)));
+      EXPECT_NEAR(power(x, y) / std::pow(x, y), 1, allowed) << x << " to the " << y;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dapple

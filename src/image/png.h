@@ -1,0 +1,18 @@
+// PNG, by libpng: writes 8 or 16 bits RGB with an sRGB or gAMA chunk; reads every colour type,
+// honouring those chunks. Embedded colour profiles are ignored.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "image/formats.h"
+
+namespace dapple {
+
+[[nodiscard]] Expected<std::vector<std::byte>> encode_png(const Image& image,
+                                                          const ImageWriteOptions& options);
+[[nodiscard]] Expected<Image> decode_png(std::span<const std::byte> bytes,
+                                         const ImageReadOptions& options);
+
+}  // namespace dapple

@@ -1,0 +1,59 @@
+#include "util/mapped_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/util/temporary_folder.h"
+
+namespace dapple {
+namespace {
+
+std::string text_of(const MappedFile& file) {
+  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+}
+
+TEST(MappedFile, HoldsTheBytesOfTheFile) {
+  const TemporaryFolder folder;
+  const std::string content = std::string(10'000, 'a') + '\0' + "end";
+  put_file(folder / "file", content);
+  const auto file = MappedFile::open(folder / "file");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(text_of(*file), content);
+}
+
+TEST(MappedFile, AnEmptyFileHasNoBytes) {
+  const TemporaryFolder folder;
+  put_file(folder / "empty", "");
+  const auto file = MappedFile::open(folder / "empty");
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(file->bytes().empty());
+}
+
+TEST(MappedFile, SurvivesMovesAndTheRemovalOfItsName) {
+  const TemporaryFolder folder;
+  put_file(folder / "a", "content of a");
+  put_file(folder / "b", "content of b");
+  auto a = MappedFile::open(folder / "a");
+  auto b = MappedFile::open(folder / "b");
+  ASSERT_TRUE(a && b);
+  std::filesystem::remove(folder / "a");
+  MappedFile moved = std::move(*a);
+  EXPECT_EQ(text_of(moved), "content of a");
+  moved = std::move(*b);
+  EXPECT_EQ(text_of(moved), "content of b");
+}
+
+TEST(MappedFile, WhatIsNoRegularFileIsRefused) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const std::string& path : {folder / "missing", folder / "pipe", folder.path(),
+                                  std::string("/dev/zero"), std::string()}) {
+    const auto file = MappedFile::open(path);
+    ASSERT_FALSE(file) << path;
+    EXPECT_EQ(file.error().code, Errc::no_input) << path;
+    EXPECT_EQ(file.error().place, path);
+  }
+}
+
+}  // namespace
+}  // namespace dapple
