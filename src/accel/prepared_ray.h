@@ -34,7 +34,9 @@ inline PreparedRay prepare(const Ray& ray) {
   }
   prepared.inverse_dot = 1.0f / squared;
   prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
-  const bool usable = is_finite(ray.origin) && squared > 0.0f && std::isfinite(squared);
+  // The last condition also refuses NaN, which no search could end on.
+  const bool usable = is_finite(ray.origin) && squared > 0.0f && std::isfinite(squared) &&
+                      ray.t_max >= prepared.t_min;
   prepared.t_max = usable ? ray.t_max : -1.0f;
   return prepared;
 }

@@ -48,11 +48,10 @@ TEST(ThreadCounts, TheWideTreeIsTheSameToTheLastByte) {
       const WideBvh built = build_wide_bvh(scene);
       const auto expected = alone.view(), actual = built.view();
       ASSERT_EQ(actual.nodes.size(), expected.nodes.size());
-      ASSERT_EQ(actual.leaf_words.size(), expected.leaf_words.size());
+      ASSERT_EQ(actual.rows.size(), expected.rows.size());
       EXPECT_EQ(
           std::memcmp(actual.nodes.data(), expected.nodes.data(), expected.nodes.size_bytes()), 0);
-      EXPECT_EQ(std::memcmp(actual.leaf_words.data(), expected.leaf_words.data(),
-                            expected.leaf_words.size_bytes()),
+      EXPECT_EQ(std::memcmp(actual.rows.data(), expected.rows.data(), expected.rows.size_bytes()),
                 0);
     }
   }
