@@ -171,7 +171,8 @@ TEST_P(AnalyticHits, SegmentsEndWhereTheyEnd) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, AnalyticHits,
-                         ::testing::Values(AccelKind::linear, AccelKind::median, AccelKind::fast));
+                         ::testing::Values(AccelKind::linear, AccelKind::median, AccelKind::fast),
+                         [](const auto& kind) { return std::string(accel_name(kind.param)); });
 
 }  // namespace
 }  // namespace dapple::test
