@@ -173,7 +173,7 @@ class Joiner {
 WideBvh build_wide_bvh(const SceneView& scene) {
   WideBvh bvh;
   if (scene.object_count() == 0) return bvh;
-  run_with_tasks([&] {
+  run_with_tasks(scene.object_count(), [&] {
     Builder builder(scene);
     Fragment root;
     builder.build_top(builder.splitter().whole(), 0, root);
