@@ -72,8 +72,10 @@ Status run(const Options& options) {
   Report report("kernels");
   for (const std::string& scene : options.scenes) {
     if (auto status = measure(scene, options, *all_cores, report); !status) return status;
+    // What is finished is kept if a later scene is interrupted.
+    if (auto status = report.write(options.json); !status) return status;
   }
-  return report.write(options.json);
+  return {};
 }
 
 }  // namespace
