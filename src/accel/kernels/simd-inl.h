@@ -21,10 +21,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using FloatVec = hn::Vec<Floats>;
 using FloatMask = hn::Mask<Floats>;
+using Words = hn::RebindToUnsigned<Floats>;
+using WordVec = hn::Vec<Words>;
 inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
 
 HWY_INLINE FloatVec all(float x) { return hn::Set(Floats(), x); }
 HWY_INLINE FloatVec load_floats(const float* floats) { return hn::Load(Floats(), floats); }
+
+HWY_INLINE float load_float(const std::uint32_t* word) {
+  float value;
+  __builtin_memcpy(&value, word, sizeof value);
+  return value;
+}
 
 // Bit i is lane i of the mask.
 HWY_INLINE std::uint32_t bits_of(FloatMask mask) {

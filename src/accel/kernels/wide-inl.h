@@ -6,6 +6,7 @@
 // never control flow.
 #include "accel/kernels/dispatch.h"
 #include "accel/kernels/leaf-inl.h"
+#include "accel/kernels/packet-inl.h"
 #include "accel/kernels/stack-inl.h"
 
 #if defined(DAPPLE_KERNELS_WIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -162,14 +163,46 @@ HWY_INLINE void trace_stream(const WideBvhView& bvh, Stream<Finish> stream) {
   }
 }
 
+HWY_NOINLINE void trace_one_by_one(const WideBvhView& bvh, const Ray* rays, std::size_t count,
+                                   Hit* hits) {
+  const auto finish = [hits](std::size_t i, const Hit& best) { hits[i] = finished(best); };
+  trace_stream<false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
+}
+
+// Whether trying a packet is worth it: after each failure in a row, twice as many are let pass.
+struct Patience {
+  std::size_t failures = 0, to_skip = 0;
+
+  HWY_INLINE bool try_now() {
+    if (to_skip == 0) return true;
+    --to_skip;
+    return false;
+  }
+  HWY_INLINE void learn(bool worked) {
+    failures = worked ? 0 : failures + (failures < 6);
+    to_skip = (std::size_t{1} << failures) - 1;
+  }
+};
+
+// Packets where they work; what lies between them is traced in longer runs of single rays.
 HWY_ATTR void intersect_wide(const WideBvhView& bvh, const Ray* rays, Hit* hits,
                              std::size_t count) {
-  const auto finish = [hits](std::size_t i, const Hit& best) { hits[i] = finished(best); };
   if (bvh.empty()) {
     for (std::size_t i = 0; i < count; ++i) hits[i] = Hit{};
     return;
   }
-  trace_stream<false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
+  PacketSearch search;
+  Patience patience;
+  std::size_t traced = 0;
+  for (std::size_t i = 0; i + kPacketSize <= count; i += kPacketSize) {
+    if (!patience.try_now()) continue;
+    const bool worked = trace_packet(bvh, rays + i, search, hits + i);
+    patience.learn(worked);
+    if (!worked) continue;
+    trace_one_by_one(bvh, rays + traced, i - traced, hits + traced);
+    traced = i + kPacketSize;
+  }
+  trace_one_by_one(bvh, rays + traced, count - traced, hits + traced);
 }
 
 HWY_ATTR void occluded_wide(const WideBvhView& bvh, const Ray* rays, std::uint8_t* occluded,

@@ -1,0 +1,313 @@
+// Packets: rays that go the same way visit the tree together.
+//
+// A node is tested once for the whole packet, by intervals: the packet's origins lie in a box and
+// its inverse directions, which have the same signs, in another. Rounding is monotone, so the
+// interval computed from the ends of both contains what each ray would compute, to the bit: no
+// child that a ray passes is left out. In a leaf the same test on the primitives' own boxes leaves
+// few of them, and each of those is tested against all rays at once.
+#include "accel/kernels/stack-inl.h"
+
+#if defined(DAPPLE_KERNELS_PACKET_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef DAPPLE_KERNELS_PACKET_INL_H
+#undef DAPPLE_KERNELS_PACKET_INL_H
+#else
+#define DAPPLE_KERNELS_PACKET_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dapple {
+namespace HWY_NAMESPACE {
+
+inline constexpr std::size_t kPacketSize = 64;
+// Work, in about ten instructions, after which a packet gives up: its rays have less in common than
+// it seemed. Single rays through a large scene cost more than this, so trying loses little.
+inline constexpr int kPacketBudget = 1280;
+inline constexpr int kNodeWork = 2, kPrimWork = 1 + kPacketSize / 16;
+
+struct alignas(64) Packet {
+  float origin[3][kPacketSize], direction[3][kPacketSize], inverse[3][kPacketSize];
+  float t_min[kPacketSize], inverse_dot[kPacketSize];
+  float best_t[kPacketSize];
+  std::uint32_t best_prim[kPacketSize];
+  std::uint32_t best_leaf[kPacketSize], best_lane[kPacketSize];  // ChildRef bits, lane in it
+};
+
+// What all rays of a packet have in common.
+struct PacketBounds {
+  float origin_near[3], origin_far[3];  // the ends that give the first and last crossing of a plane
+  float inverse_low[3], inverse_high[3];
+  bool up[3];    // signs of the directions
+  float t_min;   // smallest
+  float t_best;  // largest
+};
+
+struct Extent {
+  float low, high;
+};
+
+HWY_INLINE Extent extent_of(const float* values) {
+  FloatVec low = load_floats(values), high = low;
+  for (std::size_t i = kLanes; i < kPacketSize; i += kLanes) {
+    low = hn::Min(low, load_floats(values + i));
+    high = hn::Max(high, load_floats(values + i));
+  }
+  return {hn::GetLane(hn::MinOfLanes(Floats(), low)), hn::GetLane(hn::MaxOfLanes(Floats(), high))};
+}
+
+// False when the signs of the directions differ or a ray is unusable.
+HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Extent inverse = extent_of(packet.inverse[axis]);
+    const Extent origin = extent_of(packet.origin[axis]);
+    if (!(inverse.low > 0.0f || inverse.high < 0.0f)) return false;
+    const bool up = inverse.low > 0.0f;
+    bounds.up[axis] = up;
+    bounds.inverse_low[axis] = inverse.low;
+    bounds.inverse_high[axis] = inverse.high;
+    bounds.origin_near[axis] = up ? origin.high : origin.low;
+    bounds.origin_far[axis] = up ? origin.low : origin.high;
+  }
+  bounds.t_min = extent_of(packet.t_min).low;
+  const Extent best = extent_of(packet.best_t);
+  bounds.t_best = best.high;
+  return best.low >= 0.0f;
+}
+
+HWY_INLINE void fill(const Ray* rays, Packet& packet) {
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    const PreparedRay ray = prepare_fast(rays[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      packet.origin[axis][i] = ray.origin[axis];
+      packet.direction[axis][i] = ray.direction[axis];
+      packet.inverse[axis][i] = ray.inverse[axis];
+    }
+    packet.t_min[i] = ray.t_min;
+    packet.inverse_dot[i] = ray.inverse_dot;
+    packet.best_t[i] = ray.t_max;
+    packet.best_prim[i] = kNoPrim;
+  }
+}
+
+// The earliest and latest distances at which any ray of the packet crosses planes of one axis.
+HWY_INLINE FloatVec earliest(FloatVec planes, const PacketBounds& bounds, std::size_t axis) {
+  const FloatVec way = hn::Sub(planes, all(bounds.origin_near[axis]));
+  return hn::Min(hn::Mul(way, all(bounds.inverse_low[axis])),
+                 hn::Mul(way, all(bounds.inverse_high[axis])));
+}
+HWY_INLINE FloatVec latest(FloatVec planes, const PacketBounds& bounds, std::size_t axis) {
+  const FloatVec way = hn::Sub(planes, all(bounds.origin_far[axis]));
+  return hn::Max(hn::Mul(way, all(bounds.inverse_low[axis])),
+                 hn::Mul(way, all(bounds.inverse_high[axis])));
+}
+
+// Boxes that some ray of the packet may pass, and when at the earliest.
+HWY_INLINE LaneHits enter_boxes(const PacketBounds& bounds, const FloatVec* lo,
+                                const FloatVec* hi) {
+  FloatVec entry = all(bounds.t_min), exit = all(bounds.t_best);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool up = bounds.up[axis];
+    entry = hn::Max(entry, earliest(up ? lo[axis] : hi[axis], bounds, axis));
+    exit = hn::Min(exit, latest(up ? hi[axis] : lo[axis], bounds, axis));
+  }
+  return {hn::Le(entry, exit), entry};
+}
+
+// One sphere, as all its lanes, with rays [i, i + kLanes): intersect_spheres the other way round.
+struct OneSphere {
+  FloatVec c[3], radius, lo[3], hi[3];
+};
+
+HWY_INLINE OneSphere spread_sphere(const LeafRow* leaf, std::size_t lane) {
+  OneSphere sphere;
+  const float radius = load_float(leaf[3].words + lane);
+  const float size = radius < 0.0f ? -radius : radius;
+  sphere.radius = all(radius);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float c = load_float(leaf[axis].words + lane);
+    sphere.c[axis] = all(c);
+    sphere.lo[axis] = all(c - size);
+    sphere.hi[axis] = all(c + size);
+  }
+  return sphere;
+}
+
+HWY_INLINE LaneHits meet_sphere(const Packet& packet, std::size_t i, const OneSphere& sphere) {
+  const Floats d;
+  FloatVec o[3], dir[3], from[3];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    o[axis] = load_floats(packet.origin[axis] + i);
+    dir[axis] = load_floats(packet.direction[axis] + i);
+    from[axis] = hn::Sub(o[axis], sphere.c[axis]);
+  }
+  const FloatVec inverse_dot = load_floats(packet.inverse_dot + i);
+  const FloatVec along = hn::Add(hn::Add(hn::Mul(from[0], dir[0]), hn::Mul(from[1], dir[1])),
+                                 hn::Mul(from[2], dir[2]));
+  const FloatVec t_mid = hn::Neg(hn::Mul(along, inverse_dot));
+  const FloatVec px = hn::Add(from[0], hn::Mul(t_mid, dir[0]));
+  const FloatVec py = hn::Add(from[1], hn::Mul(t_mid, dir[1]));
+  const FloatVec pz = hn::Add(from[2], hn::Mul(t_mid, dir[2]));
+  const FloatVec squared = hn::Add(hn::Add(hn::Mul(px, px), hn::Mul(py, py)), hn::Mul(pz, pz));
+  const FloatVec discriminant = hn::Sub(hn::Mul(sphere.radius, sphere.radius), squared);
+  FloatMask mask = hn::Gt(discriminant, hn::Zero(d));
+  if (hn::AllFalse(d, mask)) return {mask, t_mid};
+  const FloatVec t_min = load_floats(packet.t_min + i), t_max = load_floats(packet.best_t + i);
+  const FloatVec half_chord = hn::Sqrt(hn::Mul(discriminant, inverse_dot));
+  const FloatVec first = hn::Sub(t_mid, half_chord);
+  const FloatVec raw = hn::IfThenElse(hn::Ge(first, t_min), first, hn::Add(t_mid, half_chord));
+  mask = hn::And(mask, hn::And(hn::Ge(raw, t_min), hn::Le(raw, t_max)));
+  FloatVec near = t_min, far = all(Bounds3f::kInfinity);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const FloatVec inverse = load_floats(packet.inverse[axis] + i);
+    const FloatVec to_lo = hn::Mul(hn::Sub(sphere.lo[axis], o[axis]), inverse);
+    const FloatVec to_hi = hn::Mul(hn::Sub(sphere.hi[axis], o[axis]), inverse);
+    near = hn::Max(hn::Min(to_lo, to_hi), near);
+    far = hn::Min(hn::Max(to_lo, to_hi), far);
+  }
+  const FloatVec t = hn::Max(raw, near);
+  return {hn::And(mask, hn::And(hn::Le(near, far), hn::Le(t, t_max))), t};
+}
+
+HWY_INLINE LaneHits meet_rectangle(const Packet& packet, std::size_t i, RectangleAxes axes,
+                                   const PacketBounds& bounds, const float* numbers) {
+  const auto cross = [&](float plane, int axis) {
+    return hn::Mul(hn::Sub(all(plane), load_floats(packet.origin[axis] + i)),
+                   load_floats(packet.inverse[axis] + i));
+  };
+  const bool u_up = bounds.up[axes.u], v_up = bounds.up[axes.v];
+  const FloatVec t = cross(numbers[4], axes.k);
+  const FloatVec near =
+      hn::Max(hn::Max(cross(numbers[u_up ? 0 : 1], axes.u), cross(numbers[v_up ? 2 : 3], axes.v)),
+              load_floats(packet.t_min + i));
+  const FloatVec far =
+      hn::Min(hn::Min(cross(numbers[u_up ? 1 : 0], axes.u), cross(numbers[v_up ? 3 : 2], axes.v)),
+              load_floats(packet.best_t + i));
+  const FloatVec steep = hn::Abs(load_floats(packet.direction[axes.k] + i));
+  const FloatMask crosses = hn::Ge(steep, all(kSmallestDirection));
+  return {hn::And(crosses, hn::And(hn::Ge(t, near), hn::Le(t, far))), t};
+}
+
+// Keeps what is nearer than before, or as near with a lower id.
+HWY_INLINE void keep_nearer(LaneHits hits, std::size_t i, PrimId id, ChildRef leaf,
+                            std::size_t lane, Packet& packet) {
+  const Floats d;
+  const Words w;
+  const FloatVec best_t = load_floats(packet.best_t + i);
+  const WordVec best_prim = hn::Load(w, packet.best_prim + i);
+  const WordVec prim = hn::Set(w, id);
+  const FloatMask lower = hn::RebindMask(d, hn::Lt(prim, best_prim));
+  const FloatMask better =
+      hn::And(hits.mask, hn::Or(hn::Lt(hits.t, best_t), hn::And(hn::Eq(hits.t, best_t), lower)));
+  const auto better_words = hn::RebindMask(w, better);
+  const auto keep = [&](std::uint32_t* to, WordVec value) {
+    hn::Store(hn::IfThenElse(better_words, value, hn::Load(w, to + i)), w, to + i);
+  };
+  hn::Store(hn::IfThenElse(better, hits.t, best_t), d, packet.best_t + i);
+  keep(packet.best_prim, prim);
+  keep(packet.best_leaf, hn::Set(w, leaf.bits));
+  keep(packet.best_lane, hn::Set(w, static_cast<std::uint32_t>(lane)));
+}
+
+// Spheres of a leaf whose own box the packet may pass; bit i for lane i.
+HWY_INLINE std::uint32_t candidate_spheres(const PacketBounds& bounds, const LeafRow* leaf) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
+    const FloatVec size = hn::Abs(load_row(leaf, 3, i));
+    FloatVec lo[3], hi[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const FloatVec c = load_row(leaf, axis, i);
+      lo[axis] = hn::Sub(c, size);
+      hi[axis] = hn::Add(c, size);
+    }
+    bits |= bits_of(enter_boxes(bounds, lo, hi).mask) << i;
+  }
+  return bits;
+}
+
+// Returns the work done.
+HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRow* rows,
+                          Packet& packet) {
+  const ShapeKind kind = ref.leaf_kind();
+  const LeafRow* leaf = rows + ref.leaf_row();
+  const std::uint32_t* ids = leaf[leaf_id_row(kind)].words;
+  const bool is_sphere = kind == ShapeKind::sphere;
+  std::uint32_t candidates = is_sphere ? candidate_spheres(bounds, leaf) : 0xffffu;
+  int work = kNodeWork;
+  while (candidates != 0) {
+    const std::uint32_t lane = take_lowest(candidates);
+    if (ids[lane] == kNoPrim) break;
+    work += kPrimWork;
+    if (is_sphere) {
+      const OneSphere sphere = spread_sphere(leaf, lane);
+      for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
+        const LaneHits hits = meet_sphere(packet, i, sphere);
+        if (!hn::AllFalse(Floats(), hits.mask)) {
+          keep_nearer(hits, i, ids[lane], ref, lane, packet);
+        }
+      }
+      continue;
+    }
+    float numbers[5];
+    for (std::size_t row = 0; row < 5; ++row) numbers[row] = load_float(leaf[row].words + lane);
+    for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
+      const LaneHits hits = meet_rectangle(packet, i, rectangle_axes(kind), bounds, numbers);
+      keep_nearer(hits, i, ids[lane], ref, lane, packet);
+    }
+  }
+  return work;
+}
+
+HWY_INLINE void visit_node(const PacketBounds& bounds, const WideNode& node,
+                           PendingStack& pending) {
+  const std::size_t bottom = pending.top;
+  for (std::size_t i = 0; i < kWideWidth; i += kLanes) {
+    FloatVec lo[3], hi[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lo[axis] = load_floats(node.lo[axis] + i);
+      hi[axis] = load_floats(node.hi[axis] + i);
+    }
+    push_children(enter_boxes(bounds, lo, hi), node.children + i, bottom, pending);
+  }
+}
+
+HWY_INLINE Hit hit_of(const Packet& packet, std::size_t i) {
+  if (packet.best_prim[i] == kNoPrim) return Hit{};
+  const LeafRef leaf = ChildRef(packet.best_leaf[i]).leaf_ref();
+  return {packet.best_t[i], packet.best_prim[i], leaf.lane(packet.best_lane[i])};
+}
+
+struct PacketSearch {
+  Packet packet;
+  PacketBounds bounds;
+  PendingStack pending;
+
+  PacketSearch() { make_bottom(pending); }
+};
+
+// Finds what kPacketSize rays hit; false, and nothing is written, when they are better traced one
+// by one.
+HWY_NOINLINE bool trace_packet(const WideBvhView& bvh, const Ray* rays, PacketSearch& search,
+                               Hit* hits) {
+  auto& [packet, bounds, pending] = search;
+  fill(rays, packet);
+  if (!bound(packet, bounds)) return false;
+  clear(pending);
+  int work = 0;
+  for (ChildRef current = ChildRef::node(0); !current.empty();
+       current = pop_nearest(pending, bounds.t_best)) {
+    if (work > kPacketBudget) return false;
+    if (current.is_leaf()) {
+      work += visit_leaf(bounds, current, bvh.rows.data(), packet);
+      bounds.t_best = extent_of(packet.best_t).high;
+    } else {
+      work += kNodeWork;
+      visit_node(bounds, bvh.nodes[current.node_index()], pending);
+    }
+  }
+  for (std::size_t i = 0; i < kPacketSize; ++i) hits[i] = hit_of(packet, i);
+  return true;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dapple
+HWY_AFTER_NAMESPACE();
+#endif
