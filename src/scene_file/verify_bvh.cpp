@@ -230,7 +230,8 @@ BvhDamage BvhVerifier::check_complete() const {
 BvhDamage BvhVerifier::check_everything() {
   constexpr std::size_t kNodesAtOnce = 256;
   const std::size_t count = bvh_.nodes.size();
-  const auto in_parallel = [&](auto check) {
+  const auto in_parallel = [&](auto check) -> BvhDamage {
+    if (count <= kNodesAtOnce) return check(0, count);
     std::vector<BvhDamage> found((count + kNodesAtOnce - 1) / kNodesAtOnce);
     parallel_for_dynamic(found.size(), [&](std::size_t i) {
       found[i] = check(i * kNodesAtOnce, std::min((i + 1) * kNodesAtOnce, count));
