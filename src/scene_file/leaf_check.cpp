@@ -144,7 +144,21 @@ namespace dapple {
 
 HWY_EXPORT(leaf_check_compiled);
 
-LeafCheck leaf_check() { return HWY_DYNAMIC_DISPATCH(leaf_check_compiled)(); }
+const std::vector<LeafCheck>& leaf_checks() {
+  static const std::vector<LeafCheck> checks = [] {
+    std::vector<LeafCheck> result;
+    // Lower bits of a target are better instruction sets.
+    std::int64_t remaining = hwy::SupportedTargets() & HWY_TARGETS;
+    while (remaining != 0) {
+      hwy::GetChosenTarget().Update(remaining & -remaining);
+      remaining &= remaining - 1;
+      result.push_back(HWY_DYNAMIC_DISPATCH(leaf_check_compiled)());
+    }
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return result;
+  }();
+  return checks;
+}
 
 }  // namespace dapple
 #endif  // HWY_ONCE

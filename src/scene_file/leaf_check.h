@@ -1,6 +1,8 @@
 // The inner loop of a BVH's proof: the primitives of one leaf against their box.
 #pragma once
 
+#include <vector>
+
 #include "math/bounds3.h"
 #include "scene/leaf.h"
 
@@ -31,7 +33,7 @@ struct LeafVerdict {
 using LeafCheck = LeafVerdict (*)(ShapeKind kind, const LeafRow* leaf, const Bounds3f& box,
                                   IdRange ids);
 
-// The same function for the instruction set of this processor.
-[[nodiscard]] LeafCheck leaf_check();
+// The same function for each instruction set that this processor has, best first; never empty.
+[[nodiscard]] const std::vector<LeafCheck>& leaf_checks();
 
 }  // namespace dapple

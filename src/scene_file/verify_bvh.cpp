@@ -62,7 +62,7 @@ struct Pending {
 BvhVerifier::BvhVerifier(const WideBvhView& bvh, const SceneView& scene)
     : bvh_(bvh),
       scene_(scene),
-      check_leaf_(leaf_check()),
+      check_leaf_(leaf_checks().front()),
       first_ids_(first_prim_ids(scene)),
       prim_count_(scene.object_count()),
       ids_(prim_count_) {}
