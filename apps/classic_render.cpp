@@ -8,6 +8,7 @@
 #include "image/formats.h"
 #include "render/render_job.h"
 #include "scene_file/scene_source.h"
+#include "util/mapped_ranges.h"
 #include "util/parse_number.h"
 
 namespace dapple {
@@ -26,7 +27,9 @@ Status run(int argc, char** argv, AccelKind kind) {
     if (!value) return tl::unexpected(value.error());
     *numbers[i] = static_cast<int>(*value);
   }
-  const auto scene = SceneSource::open(argc > 5 ? argv[5] : "nice");
+  VerifyOptions options_of_file;
+  if (kind == AccelKind::fast) options_of_file.scope = VerifyScope::bvh_only;
+  const auto scene = SceneSource::open(argc > 5 ? argv[5] : "nice", options_of_file);
   if (!scene) return tl::unexpected(scene.error());
   auto start = std::chrono::steady_clock::now();
   const PreparedScene prepared(scene->view(), make_accel(kind, scene->view()));
@@ -49,6 +52,7 @@ int run_classic_render(int argc, char** argv, AccelKind kind) {
     fmt::print(stderr, "usage: {} OUTFILE NX NY NS [SCENE]\n", argv[0]);
     return 2;
   }
+  exit_when_mapped_file_shrinks(1);
   const Status status = run(argc, argv, kind);
   if (status) return 0;
   fmt::print(stderr, "{}: {}\n", argv[0], to_string(status.error()));
