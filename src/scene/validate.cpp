@@ -14,29 +14,6 @@ bool is_point(const Vec3d& p) {
   return is_coordinate(p.x) && is_coordinate(p.y) && is_coordinate(p.z);
 }
 
-Status check_counts(const SceneView& scene) {
-  std::array<std::uint64_t, kShapeKindCount> in_runs{};
-  std::uint64_t total = 0;
-  for (const ObjectRun& run : scene.runs) {
-    const auto kind = static_cast<std::size_t>(run.kind);
-    if (kind >= kShapeKindCount) return fail(Errc::bad_data, "objects", "unknown object type");
-    if (run.count > kMaxObjectCount - total) {
-      return fail(Errc::bad_data, "objects", fmt::format("more than {} objects", kMaxObjectCount));
-    }
-    total += run.count;
-    in_runs[kind] += run.count;
-  }
-  for (std::size_t kind = 0; kind < kShapeKindCount; ++kind) {
-    const auto shape_kind = static_cast<ShapeKind>(kind);
-    if (in_runs[kind] != scene.count(shape_kind) ||
-        scene.materials_of(shape_kind).size() != scene.count(shape_kind)) {
-      return fail(Errc::bad_data, "objects",
-                  fmt::format("the counts of {} objects disagree", shape_name(shape_kind)));
-    }
-  }
-  return {};
-}
-
 bool shape_is_valid(const SceneView& scene, ShapeKind kind, std::size_t index) {
   return kind == ShapeKind::sphere ? is_valid(scene.spheres[index])
                                    : is_valid(scene.rectangles[rectangle_index(kind)][index]);
@@ -105,6 +82,29 @@ Status validate(const Material& material) {
   return {};
 }
 
+Status validate_counts(const SceneView& scene) {
+  std::array<std::uint64_t, kShapeKindCount> in_runs{};
+  std::uint64_t total = 0;
+  for (const ObjectRun& run : scene.runs) {
+    const auto kind = static_cast<std::size_t>(run.kind);
+    if (kind >= kShapeKindCount) return fail(Errc::bad_data, "objects", "unknown object type");
+    if (run.count > kMaxObjectCount - total) {
+      return fail(Errc::bad_data, "objects", fmt::format("more than {} objects", kMaxObjectCount));
+    }
+    total += run.count;
+    in_runs[kind] += run.count;
+  }
+  for (std::size_t kind = 0; kind < kShapeKindCount; ++kind) {
+    const auto shape_kind = static_cast<ShapeKind>(kind);
+    if (in_runs[kind] != scene.count(shape_kind) ||
+        scene.materials_of(shape_kind).size() != scene.count(shape_kind)) {
+      return fail(Errc::bad_data, "objects",
+                  fmt::format("the counts of {} objects disagree", shape_name(shape_kind)));
+    }
+  }
+  return {};
+}
+
 Status validate(const SceneView& scene) {
   if (auto status = validate(scene.camera); !status) return status;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -112,7 +112,7 @@ Status validate(const SceneView& scene) {
       return fail(Errc::bad_data, fmt::format("material {}", i), "a number is not finite");
     }
   }
-  if (auto status = check_counts(scene); !status) return status;
+  if (auto status = validate_counts(scene); !status) return status;
   return check_objects(scene);
 }
 

@@ -14,6 +14,8 @@ inline constexpr std::size_t kMaxObjectCount = 1u << 31;
 // coordinates below kMaxCoordinate in magnitude. The error's place is the object's or
 // material's index ("object 3", "material 0", "camera").
 [[nodiscard]] Status validate(const SceneView& scene);
+// The part of it that is about numbers of objects: runs, array lengths, kMaxObjectCount.
+[[nodiscard]] Status validate_counts(const SceneView& scene);
 [[nodiscard]] Status validate(const Camera& camera);
 [[nodiscard]] Status validate(const Material& material);
 

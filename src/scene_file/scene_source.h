@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/scene_view.h"
+#include "scene_file/mapped_scene.h"
 #include "util/error.h"
 
 namespace dapple {
@@ -13,16 +14,22 @@ namespace dapple {
 class SceneSource {
  public:
   // A scene's name (see named_scenes.h) comes before a file of the same name; `./nice` is always
-  // the file. What is neither is an error that lists the names.
-  [[nodiscard]] static Expected<SceneSource> open(const std::string& name_or_path);
+  // the file. What is neither is an error that lists the names. The options are for files.
+  [[nodiscard]] static Expected<SceneSource> open(const std::string& name_or_path,
+                                                  const VerifyOptions& options = {});
 
-  const SceneView& view() const { return view_; }
+  // True when open() would look for a file.
+  [[nodiscard]] static bool is_path(const std::string& name_or_path);
+
+  const SceneView& view() const { return file_ ? file_->view() : view_; }
 
  private:
   explicit SceneSource(Scene scene);
+  explicit SceneSource(MappedScene file);
 
   std::unique_ptr<Scene> scene_;
-  SceneView view_;
+  std::unique_ptr<MappedScene> file_;
+  SceneView view_;  // of scene_
 };
 
 }  // namespace dapple

@@ -1,7 +1,12 @@
 #include "util/hash.h"
 
-#define XXH_INLINE_ALL
+// libxxhash carries XXH3 for every vector width and picks one at run time on x86; elsewhere the
+// width is that of the compiler's target. The value does not depend on it.
+#if defined(__x86_64__)
+#include <xxh_x86dispatch.h>
+#else
 #include <xxhash.h>
+#endif
 
 namespace dapple {
 

@@ -37,14 +37,16 @@ Expected<MappedFile> MappedFile::open(const std::string& path) {
   if (size == 0) return MappedFile();
   void* address = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file.number, 0);
   if (address == MAP_FAILED) return opening_failed(path, errno);
-  return MappedFile({static_cast<const std::byte*>(address), size});
+  return MappedFile({static_cast<const std::byte*>(address), size}, path);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
-    : bytes_(std::exchange(other.bytes_, std::span<const std::byte>{})) {}
+    : bytes_(std::exchange(other.bytes_, std::span<const std::byte>{})),
+      range_(std::move(other.range_)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
   std::swap(bytes_, other.bytes_);
+  std::swap(range_, other.range_);
   return *this;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "util/error.h"
+#include "util/mapped_ranges.h"
 
 namespace dapple {
 
@@ -22,9 +23,11 @@ class MappedFile {
   std::span<const std::byte> bytes() const { return bytes_; }
 
  private:
-  explicit MappedFile(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  MappedFile(std::span<const std::byte> bytes, const std::string& path)
+      : bytes_(bytes), range_(bytes, path) {}
 
   std::span<const std::byte> bytes_;
+  MappedRange range_;
 };
 
 }  // namespace dapple

@@ -1,0 +1,150 @@
+// Compiled once for each instruction set, by Highway's foreach_target; so nothing of std:: here.
+#include "scene_file/leaf_check.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "scene_file/leaf_check.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include "scene/scene_view.h"
+#include "scene/validate.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace dapple {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Floats = hn::CappedTag<float, kLeafWidth>;
+using Words = hn::RebindToUnsigned<Floats>;
+using FloatVec = hn::Vec<Floats>;
+using WordVec = hn::Vec<Words>;
+using Mask = hn::Mask<Floats>;
+
+HWY_INLINE FloatVec all(float x) { return hn::Set(Floats(), x); }
+HWY_INLINE WordVec all(std::uint32_t x) { return hn::Set(Words(), x); }
+HWY_INLINE WordVec load_words(const std::uint32_t* from) { return hn::LoadU(Words(), from); }
+HWY_INLINE Mask as_float_mask(hn::Mask<Words> mask) { return hn::RebindMask(Floats(), mask); }
+
+// Where a lane is wrong, for each reason; judged for kLanes lanes from `first` on.
+struct Faults {
+  Mask order, unused, id, coordinate, box;
+};
+
+struct LeafLanes {
+  const LeafRow* rows;
+  std::size_t first;
+
+  HWY_INLINE WordVec words(std::size_t row) const { return load_words(rows[row].words + first); }
+  HWY_INLINE FloatVec floats(std::size_t row) const { return hn::BitCast(Floats(), words(row)); }
+};
+
+// True for NaN.
+HWY_INLINE Mask out_of_range(FloatVec x) {
+  return hn::Not(hn::Le(hn::Abs(x), all(static_cast<float>(kMaxCoordinate))));
+}
+HWY_INLINE Mask outside(FloatVec lo, FloatVec hi, const Bounds3f& box, int axis) {
+  return hn::Not(hn::And(hn::Ge(lo, all(box.lo[axis])), hn::Le(hi, all(box.hi[axis]))));
+}
+
+HWY_INLINE void check_spheres(const LeafLanes& lanes, const Bounds3f& box, Faults& faults) {
+  const FloatVec radius = lanes.floats(3);
+  const FloatVec size = hn::Abs(radius);
+  faults.coordinate = out_of_range(radius);
+  faults.box = hn::Not(hn::Eq(radius, radius));
+  WordVec bits = lanes.words(3);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto row = static_cast<std::size_t>(axis);
+    const FloatVec centre = lanes.floats(row);
+    bits = hn::Or(bits, lanes.words(row));
+    faults.coordinate = hn::Or(faults.coordinate, out_of_range(centre));
+    const Mask out = outside(hn::Sub(centre, size), hn::Add(centre, size), box, axis);
+    faults.box = hn::Or(faults.box, out);
+  }
+  faults.unused = as_float_mask(hn::Ne(bits, all(0u)));
+}
+
+HWY_INLINE void check_rectangles(ShapeKind kind, const LeafLanes& lanes, const Bounds3f& box,
+                                 Faults& faults) {
+  constexpr std::uint32_t kInfinityBits = 0x7f800000u;
+  const RectangleAxes axes = rectangle_axes(kind);
+  const FloatVec k = lanes.floats(4);
+  faults.coordinate = out_of_range(k);
+  faults.box = outside(k, k, box, axes.k);
+  const int axis_of[2] = {axes.u, axes.v};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const FloatVec lo = lanes.floats(2 * i);
+    const FloatVec hi = lanes.floats(2 * i + 1);
+    faults.coordinate = hn::Or(faults.coordinate, hn::Or(out_of_range(lo), out_of_range(hi)));
+    faults.box = hn::Or(faults.box, outside(lo, hi, box, axis_of[i]));
+  }
+  const WordVec u0 = hn::Xor(lanes.words(0), all(kInfinityBits));
+  const WordVec u1 = hn::Xor(lanes.words(1), all(kInfinityBits | 0x80000000u));
+  const WordVec others = hn::Or(lanes.words(2), hn::Or(lanes.words(3), lanes.words(4)));
+  faults.unused = as_float_mask(hn::Ne(hn::Or(others, hn::Or(u0, u1)), all(0u)));
+}
+
+// Each id must be above the one before it, except that kNoPrim follows kNoPrim: so lanes in use
+// come first.
+HWY_INLINE void check_ids(const LeafLanes& lanes, std::size_t row, IdRange ids, Faults& faults) {
+  const WordVec id = lanes.words(row);
+  // Lane 0 reads the end of the row before and is not judged.
+  const auto* words = reinterpret_cast<const std::uint32_t*>(lanes.rows);
+  const WordVec before = load_words(words + row * kLeafWidth + lanes.first - 1);
+  const Mask no_one_before =
+      hn::FirstN(Floats(), static_cast<std::size_t>(lanes.first == 0 ? 1 : 0));
+  const auto ascending =
+      hn::Or(hn::Lt(before, id), hn::And(hn::Eq(before, id), hn::Eq(id, all(kNoPrim))));
+  faults.order = hn::Not(hn::Or(no_one_before, as_float_mask(ascending)));
+  // An id below the first wraps round to a large number.
+  const WordVec index = hn::Sub(id, all(ids.first));
+  faults.id = hn::Not(as_float_mask(hn::Lt(index, all(ids.count))));
+}
+
+HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(Floats(), mask); }
+
+LeafFault fault_of(const Faults& faults, Mask used) {
+  if (any(faults.order)) return LeafFault::order;
+  if (any(hn::And(hn::Not(used), faults.unused))) return LeafFault::unused;
+  if (any(hn::And(used, faults.id))) return LeafFault::id;
+  if (any(hn::And(used, faults.coordinate))) return LeafFault::coordinate;
+  return any(hn::And(used, faults.box)) ? LeafFault::box : LeafFault::none;
+}
+
+LeafVerdict check_leaf(ShapeKind kind, const LeafRow* leaf, const Bounds3f& box, IdRange ids) {
+  constexpr std::size_t kLanes = hn::MaxLanes(Floats());
+  LeafVerdict verdict;
+  for (std::size_t first = 0; first < kLeafWidth; first += kLanes) {
+    const LeafLanes lanes{leaf, first};
+    Faults faults;
+    if (kind == ShapeKind::sphere) {
+      check_spheres(lanes, box, faults);
+    } else {
+      check_rectangles(kind, lanes, box, faults);
+    }
+    check_ids(lanes, leaf_id_row(kind), ids, faults);
+    const Mask used = as_float_mask(hn::Ne(lanes.words(leaf_id_row(kind)), all(kNoPrim)));
+    const Mask bad_if_used = hn::Or(faults.id, hn::Or(faults.coordinate, faults.box));
+    const Mask bad = hn::Or(
+        faults.order, hn::Or(hn::And(used, bad_if_used), hn::And(hn::Not(used), faults.unused)));
+    if (any(bad)) return {fault_of(faults, used), 0};
+    verdict.count += hn::CountTrue(Floats(), used);
+  }
+  if (verdict.count == 0) verdict.fault = LeafFault::empty;
+  return verdict;
+}
+
+LeafCheck leaf_check_compiled() { return check_leaf; }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dapple
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dapple {
+
+HWY_EXPORT(leaf_check_compiled);
+
+LeafCheck leaf_check() { return HWY_DYNAMIC_DISPATCH(leaf_check_compiled)(); }
+
+}  // namespace dapple
+#endif  // HWY_ONCE

@@ -1,0 +1,95 @@
+#include "scene_file/records.h"
+
+#include <bit>
+#include <cstring>
+
+#include "scene/scene_view.h"
+#include "scene/validate.h"
+
+namespace dapple {
+namespace {
+
+// What makes it right to look at the bytes of a file as these types.
+static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 24);
+static_assert(sizeof(Rectangle) == 40 && offsetof(Rectangle, k) == 32);
+static_assert(sizeof(MaterialId) == 4);
+static_assert(sizeof(ObjectRun) == sizeof(RunRecord) && offsetof(ObjectRun, count) == 8);
+static_assert(sizeof(WideNode) == 448 && offsetof(WideNode, hi) == 192 &&
+              offsetof(WideNode, children) == 384);
+
+Vec3d vec3(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+void put(const Vec3d& v, double* numbers) {
+  numbers[0] = v.x;
+  numbers[1] = v.y;
+  numbers[2] = v.z;
+}
+
+// How many of a record's numbers a material of each tag uses.
+constexpr int kNumbersUsed[] = {3, 4, 1};
+static_assert(std::size(kNumbersUsed) == std::variant_size_v<Material>);
+
+bool unused_are_zero(const MaterialRecord& record) {
+  for (int i = kNumbersUsed[record.tag]; i < 4; ++i) {
+    if (std::bit_cast<std::uint64_t>(record.numbers[i]) != 0) return false;
+  }
+  return record.reserved == 0;
+}
+
+}  // namespace
+
+CameraRecord encode(const Camera& camera) {
+  CameraRecord record{};
+  put(camera.look_from, record.look_from);
+  put(camera.look_at, record.look_at);
+  put(camera.up, record.up);
+  record.vertical_fov = camera.vertical_fov;
+  record.aperture = camera.aperture;
+  record.focus_distance = camera.focus_distance;
+  return record;
+}
+
+MaterialRecord encode(const Material& material) {
+  MaterialRecord record{};
+  record.tag = static_cast<std::uint32_t>(material.index());
+  if (const auto* lambertian = std::get_if<Lambertian>(&material)) {
+    put(lambertian->albedo, record.numbers);
+  } else if (const auto* metal = std::get_if<Metal>(&material)) {
+    put(metal->albedo, record.numbers);
+    record.numbers[3] = metal->fuzz;
+  } else {
+    record.numbers[0] = std::get<Dielectric>(material).ref_idx;
+  }
+  return record;
+}
+
+RunRecord encode(const ObjectRun& run) {
+  return {static_cast<std::uint32_t>(run.kind), 0, run.count};
+}
+
+Expected<Camera> decode_camera(const CameraRecord& record) {
+  Camera camera;
+  camera.look_from = vec3(record.look_from);
+  camera.look_at = vec3(record.look_at);
+  camera.up = vec3(record.up);
+  camera.vertical_fov = record.vertical_fov;
+  camera.aperture = record.aperture;
+  camera.focus_distance = record.focus_distance;
+  if (auto status = validate(camera); !status) return tl::unexpected(status.error());
+  return camera;
+}
+
+Expected<Material> decode_material(const MaterialRecord& record) {
+  if (record.tag >= std::variant_size_v<Material>) {
+    return fail(Errc::bad_data, "", "its type is not known to this version");
+  }
+  if (!unused_are_zero(record)) return fail(Errc::bad_data, "", "unused fields are not zero");
+  const double* n = record.numbers;
+  Material material = Lambertian{vec3(n)};
+  if (record.tag == 1) material = Metal{vec3(n), n[3]};
+  if (record.tag == 2) material = Dielectric{n[0]};
+  if (auto status = validate(material); !status) return tl::unexpected(status.error());
+  return material;
+}
+
+}  // namespace dapple

@@ -1,0 +1,281 @@
+#include "scene_file/verify.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "parallel/parallel.h"
+#include "scene/validate.h"
+#include "scene_file/records.h"
+#include "scene_file/section_hash.h"
+#include "scene_file/section_table.h"
+#include "scene_file/verify_bvh.h"
+
+namespace dapple {
+namespace {
+
+// Below this many bytes waking threads costs more than they save.
+constexpr std::size_t kParallelBytes = 4 * kHashChunk;
+
+template <class T>
+std::span<const T> as_elements(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+}
+
+bool all_are_coordinates(std::span<const double> numbers) {
+  bool all = true;
+  for (const double x : numbers) all &= std::fabs(x) <= kMaxCoordinate;  // false for NaN
+  return all;
+}
+
+bool all_are_below(std::span<const std::uint32_t> ids, std::size_t count) {
+  bool all = true;
+  for (const std::uint32_t id : ids) all &= id < count;
+  return all;
+}
+
+bool is_shapes(SectionType type) {
+  return type == SectionType::spheres || type == SectionType::xy_rectangles ||
+         type == SectionType::xz_rectangles || type == SectionType::yz_rectangles;
+}
+
+bool is_material_ids(SectionType type) {
+  return type == SectionType::sphere_materials || type == SectionType::xy_rectangle_materials ||
+         type == SectionType::xz_rectangle_materials || type == SectionType::yz_rectangle_materials;
+}
+
+// Of all errors that are found in parallel the one that stands first in the file.
+class FirstFault {
+ public:
+  void report(std::uint64_t offset, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    const Fault fault{offset, reason};
+    if (!fault_ || fault < *fault_) fault_ = fault;
+  }
+  Status status() const {
+    if (!fault_) return {};
+    return damaged_at(fault_->offset, fault_->reason);
+  }
+
+ private:
+  struct Fault {
+    std::uint64_t offset;
+    std::string reason;
+    friend auto operator<=>(const Fault&, const Fault&) = default;
+  };
+  std::mutex mutex_;
+  std::optional<Fault> fault_;
+};
+
+class Verifier {
+ public:
+  Verifier(const SectionTable& table, std::size_t file_size, const VerifyOptions& options)
+      : table_(table), options_(options), parallel_(file_size >= kParallelBytes) {}
+
+  Expected<VerifiedScene> run() {
+    if (auto status = lay_out(); !status) return tl::unexpected(status.error());
+    check_contents();
+    for (const Status& status : {check_hashes(), faults_.status(), decode_small_sections()}) {
+      if (!status) return tl::unexpected(status.error());
+    }
+    if (auto status = finish_bvh(); !status) return tl::unexpected(status.error());
+    result_.shapes_verified = !skip_shapes();
+    return std::move(result_);
+  }
+
+ private:
+  // One piece of one section, hashed and checked while it is in the cache.
+  struct Chunk {
+    const SectionEntry* section;
+    std::uint64_t begin;  // in the section
+    std::uint64_t* hash;
+  };
+
+  bool skip_shapes() const { return options_.scope == VerifyScope::bvh_only && bvh_.has_value(); }
+  bool is_skipped(const SectionEntry& section) const {
+    return skip_shapes() && is_shapes(SectionType{section.type});
+  }
+  std::uint64_t offset_of_node(std::size_t node) const {
+    return table_.find(SectionType::bvh_nodes)->offset + node * sizeof(WideNode);
+  }
+  std::uint64_t offset_of(SectionType type) const {
+    const SectionEntry* entry = table_.find(type);
+    return entry == nullptr ? 0 : entry->offset;
+  }
+
+  Status lay_out();
+  void check_contents();
+  void check_chunk(const Chunk& chunk);
+  void check_piece(const SectionEntry& section, std::uint64_t begin,
+                   std::span<const std::byte> bytes);
+  void report(const BvhDamage& damage);
+  Status check_hashes() const;
+  Status decode_small_sections();
+  Status finish_bvh();
+  void for_each(std::size_t count, const std::function<void(std::size_t)>& body) const;
+
+  const SectionTable& table_;
+  VerifyOptions options_;
+  bool parallel_;
+  VerifiedScene result_;
+  std::size_t material_count_ = 0;
+  std::optional<BvhVerifier> bvh_;
+  std::vector<std::size_t> cuts_;  // which nodes are checked with each chunk of leaves
+  std::vector<std::vector<std::uint64_t>> hashes_;  // of each section's chunks
+  FirstFault faults_;
+};
+
+// Points the view at the sections: all it takes are the counts in the table.
+Status Verifier::lay_out() {
+  const SectionEntry* camera = table_.find(SectionType::camera);
+  if (camera == nullptr || camera->count != 1) {
+    return damaged_at(sizeof(FileHeader), "there must be one camera");
+  }
+  SceneView& view = result_.view;
+  view.runs = table_.elements<ObjectRun>(SectionType::runs);
+  view.spheres = table_.elements<Sphere>(SectionType::spheres);
+  view.sphere_materials = table_.elements<MaterialId>(SectionType::sphere_materials);
+  for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
+    view.rectangles[i] = table_.elements<Rectangle>(shapes_section(rectangle_kind(i)));
+    view.rectangle_materials[i] = table_.elements<MaterialId>(materials_section(rectangle_kind(i)));
+  }
+  material_count_ = table_.elements<MaterialRecord>(SectionType::materials).size();
+  view.bvh.nodes = table_.elements<WideNode>(SectionType::bvh_nodes);
+  view.bvh.rows = table_.elements<LeafRow>(SectionType::bvh_leaves);
+  if (view.object_count() > kMaxObjectCount) {
+    return damaged_at(sizeof(FileHeader), fmt::format("more than {} objects", kMaxObjectCount));
+  }
+  if (view.bvh.nodes.empty() != view.bvh.rows.empty()) {
+    return damaged_at(sizeof(FileHeader), "of the BVH's two sections one is missing");
+  }
+  if (!view.bvh.empty()) {
+    bvh_.emplace(view.bvh, view);
+    cuts_ = bvh_->cuts_by_rows(kHashChunk / sizeof(LeafRow));
+  }
+  return {};
+}
+
+void Verifier::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
+  if (parallel_) return parallel_for_dynamic(count, body);
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+// Everything that can be done to pieces in any order. The walk over the whole tree, the longest
+// piece, comes first.
+void Verifier::check_contents() {
+  std::vector<Chunk> chunks;
+  hashes_.reserve(table_.entries().size());
+  for (const SectionEntry& section : table_.entries()) {
+    auto& hashes = hashes_.emplace_back(is_skipped(section) ? 0 : hash_chunk_count(section.size));
+    for (std::size_t i = 0; i < hashes.size(); ++i) {
+      chunks.push_back({&section, i * kHashChunk, &hashes[i]});
+    }
+  }
+  for_each(chunks.size() + 1, [&](std::size_t i) {
+    if (i > 0) return check_chunk(chunks[i - 1]);
+    if (bvh_) report(bvh_->check_order());
+  });
+}
+
+void Verifier::check_chunk(const Chunk& chunk) {
+  const std::uint64_t size = std::min<std::uint64_t>(chunk.section->size - chunk.begin, kHashChunk);
+  const auto bytes = table_.bytes(*chunk.section).subspan(chunk.begin, size);
+  if (options_.hashes) *chunk.hash = hash_bytes(bytes);
+  check_piece(*chunk.section, chunk.begin, bytes);
+}
+
+void Verifier::check_piece(const SectionEntry& section, std::uint64_t begin,
+                           std::span<const std::byte> bytes) {
+  const SectionType type{section.type};
+  if (is_shapes(type) && !all_are_coordinates(as_elements<double>(bytes))) {
+    faults_.report(section.offset + begin,
+                   fmt::format("a coordinate that is not finite or beyond {:g} in the next {} "
+                               "bytes",
+                               kMaxCoordinate, bytes.size()));
+  }
+  if (is_material_ids(type) && !all_are_below(as_elements<std::uint32_t>(bytes), material_count_)) {
+    faults_.report(section.offset + begin,
+                   fmt::format("a material id that is not below {} in the next {} bytes",
+                               material_count_, bytes.size()));
+  }
+  if (type == SectionType::bvh_leaves) {
+    const std::size_t part = begin / kHashChunk;
+    report(bvh_->check_nodes(cuts_[part], cuts_[part + 1]));
+  }
+}
+
+void Verifier::report(const BvhDamage& damage) {
+  if (damage.ok()) return;
+  faults_.report(offset_of_node(damage.node),
+                 fmt::format("BVH node {}: {}", damage.node, damage.reason));
+}
+
+Status Verifier::check_hashes() const {
+  if (!options_.hashes) return {};
+  for (std::size_t i = 0; i < hashes_.size(); ++i) {
+    const SectionEntry& section = table_.entries()[i];
+    if (is_skipped(section) || hash_of_chunks(hashes_[i]) == section.hash) continue;
+    return damaged_at(section.offset, fmt::format("the checksum of section {} is wrong",
+                                                  section_name(section.type)));
+  }
+  return {};
+}
+
+Status Verifier::decode_small_sections() {
+  SceneView& view = result_.view;
+  const auto camera = decode_camera(table_.elements<CameraRecord>(SectionType::camera).front());
+  if (!camera) return damaged_at(offset_of(SectionType::camera), to_string(camera.error()));
+  view.camera = *camera;
+
+  const auto records = table_.elements<MaterialRecord>(SectionType::materials);
+  result_.materials.reserve(records.size());
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const auto material = decode_material(records[i]);
+    if (!material) {
+      return damaged_at(offset_of(SectionType::materials) + i * sizeof(MaterialRecord),
+                        fmt::format("material {}: {}", i, material.error().message));
+    }
+    result_.materials.push_back(*material);
+  }
+  view.materials = result_.materials;
+
+  for (const RunRecord& run : table_.elements<RunRecord>(SectionType::runs)) {
+    if (run.reserved != 0) {
+      return damaged_at(offset_of(SectionType::runs), "reserved fields are not zero");
+    }
+  }
+  if (auto status = validate_counts(view); !status) {
+    return damaged_at(offset_of(SectionType::runs), to_string(status.error()));
+  }
+  return {};
+}
+
+// What takes that everything else holds.
+Status Verifier::finish_bvh() {
+  if (!bvh_) return {};
+  report(bvh_->check_count());
+  if (auto status = faults_.status(); !status || skip_shapes()) return status;
+  for_each(cuts_.size() - 1,
+           [&](std::size_t i) { report(bvh_->check_shapes(cuts_[i], cuts_[i + 1])); });
+  if (auto status = faults_.status(); !status) return status;
+  report(bvh_->check_complete());
+  return faults_.status();
+}
+
+}  // namespace
+
+Expected<VerifiedScene> verify(std::span<const std::byte> file, const VerifyOptions& options) {
+  if (reinterpret_cast<std::uintptr_t>(file.data()) % kSectionAlignment != 0) {
+    return fail(Errc::internal, "", "a scene file must lie at a multiple of 64 in memory");
+  }
+  const auto table = SectionTable::read(file, options.hashes);
+  if (!table) return tl::unexpected(table.error());
+  return Verifier(*table, file.size(), options).run();
+}
+
+}  // namespace dapple
