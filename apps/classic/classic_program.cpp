@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "common/command_table.h"
 #include "common/help.h"
@@ -74,7 +73,7 @@ int run_classic_program(std::string_view name, int argc, char** argv, const Clas
   if (result) return *result;
   report(name, result.error());
   if (result.error().code != Errc::usage) return kFailure;
-  fmt::print(stderr, "usage: {}\n", synopsis(program));
+  print_message(fmt::format("usage: {}\n", synopsis(program)));
   return kWrongUsage;
 }
 

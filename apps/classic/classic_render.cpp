@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "accel/kernels/dispatch.h"
 #include "classic/classic_program.h"
 #include "common/clock.h"
 #include "common/program.h"
@@ -59,7 +60,10 @@ Expected<Image> render_timed(const Job& job, AccelKind kind, Lines& lines) {
   RenderControl control;
   control.cancel = &catch_stop_signals();
   if (is_scene_file(job.scene)) lines.print(fmt::format("Reading scene from {}...\n", job.scene));
-  const auto scene = SceneSource::open(job.scene);
+  VerifyOptions options;
+  // The fast structure reads nothing of a shape but what the stored hierarchy holds.
+  if (kind == AccelKind::fast) options.scope = VerifyScope::bvh_only;
+  const auto scene = SceneSource::open(job.scene, options);
   if (!scene) return tl::unexpected(scene.error());
   Clock clock;
   const PreparedScene prepared(scene->view(), make_accel(kind, scene->view()));
@@ -80,6 +84,7 @@ Status classic_render(const ClassicArguments& arguments, AccelKind kind) {
   const auto job = parse_job(arguments.values);
   if (!job) return tl::unexpected(job.error());
   if (auto status = check_output(job->output); !status) return status;
+  if (auto status = check_isa_override(); !status) return status;
   Lines lines;
   const auto image = render_timed(*job, kind, lines);
   if (!image) return tl::unexpected(image.error());

@@ -25,7 +25,7 @@ struct OptionInfo {
   char letter = 0;        // short name, 0 for none
   ValueKind kind = ValueKind::flag;
   std::string_view value = {};     // what help calls the value: N, FILE; empty for flag and choice
-  std::string_view help;           // one sentence without its full stop
+  std::string_view help = {};      // one sentence without its full stop
   std::string default_value = {};  // as it would be given; empty for none
   std::int64_t low = 0, high = 0;
   std::vector<std::string_view> choices = {};

@@ -67,6 +67,14 @@ OptionInfo size_option(std::string_view name, std::string_view help, std::string
           .high = kMaxImageSide};
 }
 
+OptionInfo transfer_option(std::string_view help) {
+  return {.name = "transfer",
+          .kind = ValueKind::choice,
+          .help = help,
+          .default_value = "srgb",
+          .choices = {"srgb", "gamma2"}};
+}
+
 CommandInfo bench() {
   OptionInfo accel = accel_option("Structure to measure: none, textbook BVH or fast BVH", "fast");
   accel.repeatable = true;
@@ -76,7 +84,8 @@ CommandInfo bench() {
       .paragraphs = {"Builds the acceleration structure of SCENE and traces rays through it: "
                      "coherent ones from the camera, and incoherent ones that leave the surfaces "
                      "the first ones hit in random directions. Prints build time, surface area "
-                     "cost, memory and rays per second; a figure is the median of the repeats."},
+                     "cost, memory and rays per second; a figure is the median of the repeats. "
+                     "A hierarchy that a scene file holds is not used: it is built anew."},
       .arguments = {kScene},
       .options = {accel,
                   size_option("width", "Columns of camera rays", "1000"),
@@ -124,6 +133,7 @@ CommandInfo compare() {
                    .value = "RMSE",
                    .help = "Largest root mean square error that counts as equal",
                    .default_value = "0"},
+                  transfer_option("Curve of PNG and PPM files that do not name their own"),
                   json_option("Print the differences as JSON"),
                   kQuiet,
                   kHelp},
@@ -178,11 +188,7 @@ std::vector<OptionInfo> image_options() {
            .help = "Channel type of an EXR file",
            .default_value = "half",
            .choices = {"half", "float"}},
-          {.name = "transfer",
-           .kind = ValueKind::choice,
-           .help = "Curve of PNG and PPM files; gamma2 is that of ray and ray_bvh",
-           .default_value = "srgb",
-           .choices = {"srgb", "gamma2"}}};
+          transfer_option("Curve of PNG and PPM files; gamma2 is that of ray and ray_bvh")};
 }
 
 CommandInfo render() {

@@ -39,9 +39,10 @@ void prepare_process() {
 
 void survive_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }
 
+void print_message(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 void report(std::string_view program, const Error& error) {
-  const std::string line = fmt::format("{}: {}\n", program, to_string(error));
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  print_message(fmt::format("{}: {}\n", program, to_string(error)));
 }
 
 Status check_output(const std::string& path) {

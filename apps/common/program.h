@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "util/error.h"
@@ -18,6 +19,9 @@ void prepare_process();
 // From now on a reader who went away is an error instead of a signal: for programs whose real
 // work is not what they print.
 void survive_closed_pipes();
+
+// Writes to standard error; that it cannot be written there changes nothing.
+void print_message(const std::string& text);
 
 // One line on standard error: "PROGRAM: PLACE: MESSAGE".
 void report(std::string_view program, const Error& error);

@@ -1,5 +1,7 @@
 #include "common/scene_argument.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "scene/named_scenes.h"
@@ -12,7 +14,7 @@ bool is_scene_file(const std::string& text) {
 }
 
 std::string as_file_path(const std::string& path) {
-  return is_scene_name(path) ? "./" + path : path;
+  return is_scene_name(path) ? fmt::format("./{}", path) : path;
 }
 
 }  // namespace dapple

@@ -1,10 +1,13 @@
 #include "common/version.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 #include <vector>
 
+#include "accel/kernels/dispatch.h"
+#include "dapple/version.h"
 #include "parallel/parallel.h"
 
 namespace dapple {
@@ -22,6 +25,8 @@ std::string compiler() {
 
 std::vector<Line> build_lines() {
   return {
+      {"ISA",
+       fmt::format("{} (this processor has {})", kernels().isa, fmt::join(available_isas(), ", "))},
       {"compiler", compiler()},
       {"threads", fmt::format("{} (OpenMP {})", thread_count(), DAPPLE_OPENMP_VERSION)},
       {"libraries", DAPPLE_LIBRARY_VERSIONS},
