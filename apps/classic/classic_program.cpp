@@ -59,7 +59,7 @@ int answer(std::string_view text, const CommandInfo& program) {
 }  // namespace
 
 int run_classic_program(std::string_view name, int argc, char** argv, const ClassicBody& body) {
-  prepare_process();
+  prepare_process(kFailure);
   const CommandInfo& program = classic_program(name);
   const std::string_view only = argc == 2 ? argv[1] : "";
   if (only == "--help") return answer(help_page(program), program);

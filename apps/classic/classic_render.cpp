@@ -11,6 +11,7 @@
 #include "common/stop_signal.h"
 #include "image/formats.h"
 #include "render/render_job.h"
+#include "scene_file/scene_source.h"
 #include "util/parse_number.h"
 
 namespace dapple {

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "util/atomic_file.h"
+#include "util/mapped_ranges.h"
 
 namespace dapple {
 
@@ -26,7 +27,7 @@ Expected<int> call_guarded(const std::function<Expected<int>()>& body) try {
   return fail(Errc::internal, "internal error", exception.what());
 }
 
-void prepare_process() {
+void prepare_process(int truncation_exit_code) {
   for (int number = 0; number <= STDERR_FILENO; ++number) {
     // The lowest free number is this one: those below are open by now.
     if (::fcntl(number, F_GETFD) < 0) {
@@ -35,6 +36,7 @@ void prepare_process() {
     }
   }
   std::signal(SIGXFSZ, SIG_IGN);
+  exit_when_mapped_file_shrinks(truncation_exit_code);
 }
 
 void survive_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }

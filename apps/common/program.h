@@ -13,8 +13,9 @@ namespace dapple {
 [[nodiscard]] Expected<int> call_guarded(const std::function<Expected<int>()>& body);
 
 // Standard streams that are closed are opened in a way that fails when used, so that no file of
-// ours gets their number; a file grown past its limit is an error instead of a signal.
-void prepare_process();
+// ours gets their number; a file grown past its limit is an error instead of a signal; a scene
+// file that is truncated while it is read ends the process with that exit code.
+void prepare_process(int truncation_exit_code);
 
 // From now on a reader who went away is an error instead of a signal: for programs whose real
 // work is not what they print.

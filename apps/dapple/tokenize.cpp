@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 namespace dapple {
 namespace {
@@ -21,29 +22,45 @@ CLI::Option* add_option(CLI::App& app, const OptionInfo& option) {
   return added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-// CLI11 would take the next word for the value of "--name=".
-Status check_empty_values(const std::vector<std::string>& words) {
+bool is_flag(const CommandInfo& command, std::string_view name) {
+  return std::any_of(command.options.begin(), command.options.end(), [&](const OptionInfo& option) {
+    return option.name == name && option.kind == ValueKind::flag;
+  });
+}
+
+// What CLI11 would say less clearly, or, for "--name=", take the next word for.
+Status check_joined_values(const CommandInfo& command, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "--") break;
-    if (word.starts_with("--") && word.find('=') == word.size() - 1) {
-      return fail(Errc::usage, word, "the value after '=' is empty");
+    const std::size_t equals = word.find('=');
+    if (!word.starts_with("--") || equals == std::string::npos) continue;
+    if (is_flag(command, std::string_view(word).substr(2, equals - 2))) {
+      return fail(Errc::usage, word, "this option takes no value");
     }
+    if (equals + 1 == word.size()) return fail(Errc::usage, word, "the value is empty");
   }
   return {};
 }
 
-// With each argument told to CLI11, only what is no option or too much remains.
+// With each argument told to CLI11, only what is no option or too much remains, and the "--".
 void sort_remaining(const std::vector<std::string>& words, Tokens& tokens) {
+  bool options_end = false;
   for (const std::string& word : words) {
-    const bool is_option = word.size() > 1 && word[0] == '-';
-    (is_option ? tokens.unknown : tokens.arguments).push_back(word);
+    if (!options_end && word == "--") {
+      options_end = true;
+    } else if (!options_end && word.size() > 1 && word[0] == '-') {
+      tokens.unknown.push_back(word);
+    } else {
+      tokens.arguments.push_back(word);
+    }
   }
 }
 
 }  // namespace
 
 Expected<Tokens> tokenize(const CommandInfo& command, const std::vector<std::string>& words) try {
-  if (auto status = check_empty_values(words); !status) return tl::unexpected(status.error());
+  if (auto status = check_joined_values(command, words); !status)
+    return tl::unexpected(status.error());
   CLI::App app;
   app.set_help_flag();
   app.allow_extras();
@@ -65,6 +82,8 @@ Expected<Tokens> tokenize(const CommandInfo& command, const std::vector<std::str
   }
   sort_remaining(app.remaining(), tokens);
   return tokens;
+} catch (const CLI::ArgumentMismatch&) {
+  return fail(Errc::usage, words.back(), "the value of this option is missing");
 } catch (const CLI::Error& error) {
   return fail(Errc::usage, "", error.what());
 }

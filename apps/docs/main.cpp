@@ -25,7 +25,7 @@ Expected<int> write_documents(const std::filesystem::path& folder) {
 }  // namespace dapple
 
 int main(int argc, char** argv) {
-  dapple::prepare_process();
+  dapple::prepare_process(static_cast<int>(dapple::Errc::io));
   const auto result = dapple::call_guarded([&]() -> dapple::Expected<int> {
     if (argc != 2) return dapple::fail(dapple::Errc::usage, "usage", "dapple_docs FOLDER");
     return dapple::write_documents(argv[1]);
