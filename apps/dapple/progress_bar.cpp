@@ -85,7 +85,7 @@ void ProgressBar::update(std::size_t done, std::size_t total) {
   state.samples_per_second = samples_ * state.fraction / seconds;
   state.seconds_left = seconds * (1 / state.fraction - 1);
   // The last column stays free: some terminals wrap there.
-  write_to_terminal("\r" + progress_line(state, terminal_columns() - 1) + "\033[K");
+  write_to_terminal(fmt::format("\r{}\033[K", progress_line(state, terminal_columns() - 1)));
   drawn_ = true;
 }
 

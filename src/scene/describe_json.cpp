@@ -1,3 +1,4 @@
+#include <string>
 #include <variant>
 
 #include "scene/describe.h"
@@ -5,10 +6,16 @@
 namespace dapple {
 namespace {
 
-// "{:#}" is the shortest text that reads back as the same double, always with a decimal point:
-// without one, a JSON reader may take -0 for an integer and lose its sign.
+// A finite number as the shortest text that reads back as the same double. One without a decimal
+// point or an exponent gets a point: a reader may take -0 for an integer and lose its sign.
+std::string number(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
 void print_vector(const char* name, const Vec3d& v, TextWriter& out) {
-  out.print("\"{}\":[{:#},{:#},{:#}]", name, v.x, v.y, v.z);
+  out.print("\"{}\":[{},{},{}]", name, number(v.x), number(v.y), number(v.z));
 }
 
 void print_camera(const Camera& camera, TextWriter& out) {
@@ -18,8 +25,8 @@ void print_camera(const Camera& camera, TextWriter& out) {
   print_vector("lookat", camera.look_at, out);
   out.print(",");
   print_vector("up", camera.up, out);
-  out.print(",\"vertical_fov\":{:#},\"aperture\":{:#},\"focus_distance\":{:#}}},\n",
-            camera.vertical_fov, camera.aperture, camera.focus_distance);
+  out.print(",\"vertical_fov\":{},\"aperture\":{},\"focus_distance\":{}}},\n",
+            number(camera.vertical_fov), number(camera.aperture), number(camera.focus_distance));
 }
 
 void print_counts(const SceneView& scene, TextWriter& out) {
@@ -43,10 +50,10 @@ struct PrintMaterial {
   void operator()(const Metal& m) const {
     out.print("{{\"type\":\"metal\",");
     print_vector("albedo", m.albedo, out);
-    out.print(",\"fuzz\":{:#}}}", m.fuzz);
+    out.print(",\"fuzz\":{}}}", number(m.fuzz));
   }
   void operator()(const Dielectric& m) const {
-    out.print("{{\"type\":\"dielectric\",\"ref_idx\":{:#}}}", m.ref_idx);
+    out.print("{{\"type\":\"dielectric\",\"ref_idx\":{}}}", number(m.ref_idx));
   }
 };
 
@@ -64,14 +71,14 @@ void print_materials(const SceneView& scene, TextWriter& out) {
 
 void print_sphere(const Sphere& sphere, TextWriter& out) {
   print_vector("centre", sphere.centre, out);
-  out.print(",\"radius\":{:#}", sphere.radius);
+  out.print(",\"radius\":{}", number(sphere.radius));
 }
 
 void print_rectangle(ShapeKind kind, const Rectangle& r, TextWriter& out) {
   const char u = shape_name(kind)[0], v = shape_name(kind)[1];
-  out.print("\"{0}0\":{1:#},\"{0}1\":{2:#}", u, r.u0, r.u1);
-  out.print(",\"{0}0\":{1:#},\"{0}1\":{2:#}", v, r.v0, r.v1);
-  out.print(",\"k\":{:#}", r.k);
+  out.print("\"{0}0\":{1},\"{0}1\":{2}", u, number(r.u0), number(r.u1));
+  out.print(",\"{0}0\":{1},\"{0}1\":{2}", v, number(r.v0), number(r.v1));
+  out.print(",\"k\":{}", number(r.k));
 }
 
 void print_objects(const SceneView& scene, TextWriter& out) {
