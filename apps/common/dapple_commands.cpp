@@ -1,79 +1,11 @@
 #include "common/command_table.h"
+#include "common/shared_options.h"
 #include "render/settings.h"
 
 namespace dapple {
 namespace {
 
-constexpr std::int64_t kMaxSeed = INT64_MAX;
-constexpr int kMaxThreads = 4096;
 constexpr int kMaxDepth = 1000;
-
-const OptionInfo kHelp{.name = "help", .letter = 'h', .help = "Show this help and exit"};
-const OptionInfo kQuiet{
-    .name = "quiet", .letter = 'q', .help = "Print nothing but warnings and errors"};
-const OptionInfo kTrust{.name = "trust",
-                        .help =
-                            "Skip the checksums of scene files; their structure is checked "
-                            "all the same"};
-const OptionInfo kSeed{.name = "seed",
-                       .kind = ValueKind::integer,
-                       .value = "N",
-                       .help = "Seed of all random numbers",
-                       .default_value = "0",
-                       .low = 0,
-                       .high = kMaxSeed};
-const OptionInfo kThreads{.name = "threads",
-                          .letter = 'j',
-                          .kind = ValueKind::integer,
-                          .value = "N",
-                          .help =
-                              "Number of threads; 0 leaves the choice to OMP_NUM_THREADS, or "
-                              "else takes all processors",
-                          .default_value = "0",
-                          .low = 0,
-                          .high = kMaxThreads};
-const OptionInfo kScene{.name = "SCENE",
-                        .kind = ValueKind::scene,
-                        .help = "A named scene, such as nice or irreg:1000, or a scene file",
-                        .required = true};
-
-OptionInfo json_option(std::string_view help) { return {.name = "json", .help = help}; }
-
-OptionInfo output_option(std::string_view help) {
-  return {.name = "output",
-          .letter = 'o',
-          .kind = ValueKind::output_file,
-          .value = "FILE",
-          .help = help,
-          .required = true};
-}
-
-OptionInfo accel_option(std::string_view help, std::string default_value) {
-  return {.name = "accel",
-          .letter = 'a',
-          .kind = ValueKind::choice,
-          .help = help,
-          .default_value = std::move(default_value),
-          .choices = {"linear", "median", "fast"}};
-}
-
-OptionInfo size_option(std::string_view name, std::string_view help, std::string default_value) {
-  return {.name = name,
-          .kind = ValueKind::integer,
-          .value = "N",
-          .help = help,
-          .default_value = std::move(default_value),
-          .low = 1,
-          .high = kMaxImageSide};
-}
-
-OptionInfo transfer_option(std::string_view help) {
-  return {.name = "transfer",
-          .kind = ValueKind::choice,
-          .help = help,
-          .default_value = "srgb",
-          .choices = {"srgb", "gamma2"}};
-}
 
 CommandInfo bench() {
   OptionInfo accel = accel_option("Structure to measure: none, textbook BVH or fast BVH", "fast");
@@ -86,7 +18,7 @@ CommandInfo bench() {
                      "the first ones hit in random directions. Prints build time, surface area "
                      "cost, memory and rays per second; a figure is the median of the repeats. "
                      "A hierarchy that a scene file holds is not used: it is built anew."},
-      .arguments = {kScene},
+      .arguments = {scene_argument()},
       .options = {accel,
                   size_option("width", "Columns of camera rays", "1000"),
                   size_option("height", "Rows of camera rays", "1000"),
@@ -98,11 +30,11 @@ CommandInfo bench() {
                    .default_value = "5",
                    .low = 1,
                    .high = 1000},
-                  kSeed,
-                  kThreads,
-                  kTrust,
+                  seed_option(),
+                  threads_option(),
+                  trust_option(),
                   json_option("Print the figures as JSON"),
-                  kHelp},
+                  help_option()},
       .examples = {{"dapple bench irreg:1000", "The default structure on a million spheres."},
                    {"dapple bench --accel median --accel fast rgbbox",
                     "The textbook BVH and the fast one, side by side."},
@@ -135,8 +67,8 @@ CommandInfo compare() {
                    .default_value = "0"},
                   transfer_option("Curve of PNG and PPM files that do not name their own"),
                   json_option("Print the differences as JSON"),
-                  kQuiet,
-                  kHelp},
+                  quiet_option(),
+                  help_option()},
       .examples = {{"dapple compare a.png b.png", "Are they the same picture?"},
                    {"dapple compare --threshold 0.01 noisy.exr reference.exr",
                     "Is it within 0.01 of the reference?"}},
@@ -150,14 +82,14 @@ CommandInfo convert() {
       .summary = "store a scene in a scene file",
       .paragraphs = {"Reads SCENE and writes it as a scene file, with its finished bounding volume "
                      "hierarchy, so that it opens in milliseconds, or without."},
-      .arguments = {kScene},
+      .arguments = {scene_argument()},
       .options = {output_option("The scene file to write"),
                   {.name = "bvh", .help = "Store the hierarchy too; this is the default"},
                   {.name = "no-bvh", .help = "Store the scene alone: a smaller file"},
-                  kThreads,
-                  kTrust,
-                  kQuiet,
-                  kHelp},
+                  threads_option(),
+                  trust_option(),
+                  quiet_option(),
+                  help_option()},
       .examples = {{"dapple convert spheres:10000000 -o cloud.scene",
                     "Ten million spheres, ready to be rendered."},
                    {"dapple convert --no-bvh nice -o nice.scene", "What store_scene writes."}},
@@ -170,8 +102,8 @@ CommandInfo info() {
       .summary = "describe a scene",
       .paragraphs = {"Prints the camera, the counts and every object of SCENE, as text or as "
                      "JSON."},
-      .arguments = {kScene},
-      .options = {json_option("Print the whole scene as JSON"), kTrust, kHelp},
+      .arguments = {scene_argument()},
+      .options = {json_option("Print the whole scene as JSON"), trust_option(), help_option()},
       .examples = {{"dapple info nice", "A named scene as text."},
                    {"dapple info --json my.scene | jq .counts", "How much is in a file?"}},
   };
@@ -200,7 +132,7 @@ CommandInfo render() {
                      "options give the same image, bit for bit, on any number of threads.",
                      "On a terminal, a rendering of more than a second shows its progress. SIGINT "
                      "and SIGTERM stop it; nothing is written then."},
-      .arguments = {kScene},
+      .arguments = {scene_argument()},
       .options = {output_option("The image to write"),
                   size_option("width", "Width in pixels", "800"),
                   size_option("height", "Height in pixels", "600"),
@@ -219,8 +151,8 @@ CommandInfo render() {
                    .default_value = "5",
                    .low = 1,
                    .high = kMaxDepth},
-                  kSeed,
-                  kThreads,
+                  seed_option(),
+                  threads_option(),
                   accel_option("How hits are found: brute force, textbook BVH or fast BVH; the "
                                "image is the same",
                                "fast")},
@@ -233,8 +165,8 @@ CommandInfo render() {
   };
   for (const OptionInfo& option : image_options()) command.options.push_back(option);
   for (const OptionInfo& option :
-       {kTrust, json_option("Print settings and times as JSON on standard output"), kQuiet,
-        kHelp}) {
+       {trust_option(), json_option("Print settings and times as JSON on standard output"),
+        quiet_option(), help_option()}) {
     command.options.push_back(option);
   }
   return command;
@@ -246,7 +178,7 @@ CommandInfo scenes() {
       .summary = "list the named scenes",
       .paragraphs = {"Lists the scenes that need no file. Where a scene has a size, NAME:N chooses "
                      "it."},
-      .options = {json_option("Print the list as JSON"), kHelp},
+      .options = {json_option("Print the list as JSON"), help_option()},
       .examples = {{"dapple scenes", "Names and what they show."}},
   };
 }
@@ -279,7 +211,7 @@ CommandInfo make_dapple() {
       .options = {{.name = "version",
                    .letter = 'V',
                    .help = "Show version, instruction sets and libraries, and exit"},
-                  kHelp},
+                  help_option()},
       .examples = {{"dapple render nice -o nice.png", "Render a picture."},
                    {"dapple scenes", "Which scenes are there?"}},
       .exit_codes = {{75, "Interrupted by a signal; the same command line can run again."}},

@@ -193,7 +193,8 @@ TEST(ZshCompletion, OffersExactlyTheOptions) {
   for (const CommandInfo& command : dapple_program().commands) {
     const std::string name(last_word(command.name));
     const std::string part = between(script, "        " + name + ")\n", ";;");
-    EXPECT_EQ(all_matches(part, "[{,'*](--?[a-zA-Z][a-z-]*)(?=[=+,\\[}])"), table_names(command, true))
+    EXPECT_EQ(all_matches(part, "[{,'*](--?[a-zA-Z][a-z-]*)(?=[=+,\\[}])"),
+              table_names(command, true))
         << name;
   }
 }
