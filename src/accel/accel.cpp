@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "accel/linear_accel.h"
 #include "accel/median_accel.h"
@@ -18,8 +19,13 @@ constexpr std::array<std::string_view, 3> kAccelNames = {"linear", "median", "fa
 // A few units in the last place of the largest coordinate that went into a position.
 constexpr float kRelativeError = 0x1p-21f;
 
-SurfacePoint locate_on_sphere(const Vec3f& near_surface, const Vec3f& centre, float radius) {
-  const Vec3f normal = normalize(near_surface - centre);
+// The normal is taken from the ray as the centre sees it, which keeps the digits that a position
+// far from the origin has lost. A ball so small that none are left gets one that faces the ray.
+SurfacePoint locate_on_sphere(const Ray& ray, float t, const Vec3f& centre, float radius) {
+  const Vec3f radial = (ray.origin - centre) + t * ray.direction;
+  const float squared = dot(radial, radial);
+  const bool has_digits = squared >= std::numeric_limits<float>::min();
+  const Vec3f normal = has_digits ? radial / std::sqrt(squared) : -normalize(ray.direction);
   const float size = std::fabs(radius);
   SurfacePoint point;
   point.position = centre + size * normal;  // back onto the sphere: t has the error of its root
@@ -53,11 +59,10 @@ bool Accel::occluded(const Ray& ray) const {
 
 SurfacePoint Accel::locate(const Ray& ray, const Hit& hit) const {
   const auto number = [&](std::size_t k) { return leaf_float(leaf_rows_, hit.lane, k); };
-  const Vec3f position = ray.at(hit.t);
   if (hit.lane.kind() == ShapeKind::sphere) {
-    return locate_on_sphere(position, {number(0), number(1), number(2)}, number(3));
+    return locate_on_sphere(ray, hit.t, {number(0), number(1), number(2)}, number(3));
   }
-  return locate_on_rectangle(position, rectangle_axes(hit.lane.kind()), number(4));
+  return locate_on_rectangle(ray.at(hit.t), rectangle_axes(hit.lane.kind()), number(4));
 }
 
 std::string_view accel_name(AccelKind kind) { return kAccelNames[static_cast<std::size_t>(kind)]; }

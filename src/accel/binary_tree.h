@@ -24,6 +24,8 @@ class BinaryTree {
   const PrimRange& range(NodeId node) const { return nodes_[node].range; }
   bool is_leaf(NodeId node) const { return nodes_[node].right == 0; }
 
+  std::size_t leaf_count() const { return (nodes_.size() + 1) / 2; }
+
   // The children of the wide node that stands for an inner node, left to right.
   struct Cut {
     std::array<NodeId, kWideWidth> nodes;

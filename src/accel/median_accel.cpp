@@ -16,7 +16,7 @@ MedianAccel::MedianAccel(const SceneView& scene) : list_(scene), prim_count_(sce
   set_leaf_rows(list_.rows());
   if (prim_count_ == 0) return;
   nodes_.resize(2 * prim_count_ - 1);
-  run_with_tasks([&] {
+  run_with_tasks(prim_count_, [&] {
     HugeArray<BuildPrim> prims = make_build_prims(scene);
     build(prims.span(), 0, 0);
   });

@@ -8,38 +8,41 @@
 namespace dapple {
 namespace {
 
-// From both ends towards the middle, exchanging what stands on the wrong side.
-RangePair partition_in_place(std::span<BuildPrim> prims, const PrimRange& range,
+// Room for the right side of a range that one thread splits; kept, as a build splits many.
+std::span<BuildPrim> thread_scratch(std::size_t size) {
+  thread_local std::vector<BuildPrim> scratch;
+  if (scratch.size() < size) scratch.resize(size);
+  return scratch;
+}
+
+// Stable and without a branch on the side, which nothing could predict: every primitive is written
+// to the end of both sides, and the end of one of them moves on.
+RangePair partition_serially(std::span<BuildPrim> prims, const PrimRange& range,
                              const SahSplit& split) {
-  PrimRange left{range.begin, range.begin, {}, {}};
-  PrimRange right{range.end, range.end, {}, {}};
-  while (true) {
-    while (left.end < right.begin && split.goes_left(prims[left.end])) {
-      left.extend(prims[left.end++]);
-    }
-    while (left.end < right.begin && !split.goes_left(prims[right.begin - 1])) {
-      right.extend(prims[--right.begin]);
-    }
-    if (left.end == right.begin) return {left, right};
-    std::swap(prims[left.end], prims[right.begin - 1]);
+  const std::span<BuildPrim> right = thread_scratch(range.size());
+  std::size_t left_end = range.begin, right_count = 0;
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const BuildPrim prim = prims[i];
+    const bool goes_left = split.goes_left(prim);
+    prims[left_end] = prim;
+    right[right_count] = prim;
+    left_end += goes_left;
+    right_count += !goes_left;
   }
+  std::copy_n(right.begin(), right_count, prims.begin() + static_cast<std::ptrdiff_t>(left_end));
+  return {measure_range(prims, range.begin, left_end), measure_range(prims, left_end, range.end)};
 }
 
 // One piece of a large range: how many go left, and where its two sides begin in the result.
 struct Piece {
   std::size_t left_count = 0;
   std::size_t left_begin = 0, right_begin = 0;
-  PrimRange left, right;
 };
 
 void scatter_piece(std::span<const BuildPrim> from, std::span<BuildPrim> to, const SahSplit& split,
-                   Piece& piece) {
-  std::size_t next_left = piece.left_begin, next_right = piece.right_begin;
-  for (const BuildPrim& prim : from) {
-    const bool goes_left = split.goes_left(prim);
-    (goes_left ? piece.left : piece.right).extend(prim);
-    to[goes_left ? next_left++ : next_right++] = prim;
-  }
+                   const Piece& piece) {
+  std::size_t next[2] = {piece.right_begin, piece.left_begin};
+  for (const BuildPrim& prim : from) to[next[split.goes_left(prim)]++] = prim;
 }
 
 // Stable, through the scratch array: count, place, copy back, each in pieces of fixed size.
@@ -70,20 +73,15 @@ RangePair partition_in_parallel(std::span<BuildPrim> prims, std::span<BuildPrim>
               target.begin() + static_cast<std::ptrdiff_t>(end),
               source.begin() + static_cast<std::ptrdiff_t>(begin));
   });
-  PrimRange left{range.begin, range.begin + left_total, {}, {}};
-  PrimRange right{range.begin + left_total, range.end, {}, {}};
-  for (const Piece& piece : pieces) {
-    left.extend_boxes(piece.left);
-    right.extend_boxes(piece.right);
-  }
-  return {left, right};
+  const std::size_t middle = range.begin + left_total;
+  return {measure_range(prims, range.begin, middle), measure_range(prims, middle, range.end)};
 }
 
 }  // namespace
 
 RangePair partition_range(std::span<BuildPrim> prims, std::span<BuildPrim> scratch,
                           const PrimRange& range, const SahSplit& split) {
-  return range.size() <= kParallelRange ? partition_in_place(prims, range, split)
+  return range.size() <= kParallelRange ? partition_serially(prims, range, split)
                                         : partition_in_parallel(prims, scratch, range, split);
 }
 

@@ -31,11 +31,12 @@ inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
   const float squared = dot(ray.direction, ray.direction);
   const float origin_size =
       std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
-  // Also false where one of them is not a number.
-  const bool usable = (squared > 0.0f) & (squared <= std::numeric_limits<float>::max()) &
-                      (origin_size <= std::numeric_limits<float>::max());
   prepared.inverse_dot = 1.0f / squared;
   prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
+  // Also false where one of them is not a number, which no search could end on.
+  const bool usable = (squared > 0.0f) & (squared <= std::numeric_limits<float>::max()) &
+                      (origin_size <= std::numeric_limits<float>::max()) &
+                      (ray.t_max >= prepared.t_min);
   prepared.t_max = usable ? ray.t_max : -1.0f;
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 // A range up to this size is one task: a binary tree whose wide nodes are chosen together.
 constexpr std::size_t kTaskPrims = std::size_t{1} << 13;
+constexpr std::size_t kMaxLeafRows = 6;
 // From this depth on larger ranges are split in half by number. With the halving of binary trees
 // this keeps the deepest tree within kMaxWideDepth.
 constexpr int kHalvingDepth = 10;
@@ -100,6 +101,8 @@ std::vector<PrimRange> Builder::split_into_children(const PrimRange& range, int 
 void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
   if (range.size() <= kTaskPrims && !(depth == 0 && splitter_.is_leaf(range))) {
     const BinaryTree tree(splitter_, range);
+    fragment.rows.reserve(tree.leaf_count() * kMaxLeafRows);
+    fragment.nodes.reserve(tree.leaf_count() / 8 + 8);
     build_below(tree, BinaryTree::kRoot, fragment);
     return;
   }
@@ -173,7 +176,7 @@ class Joiner {
 WideBvh build_wide_bvh(const SceneView& scene) {
   WideBvh bvh;
   if (scene.object_count() == 0) return bvh;
-  run_with_tasks([&] {
+  run_with_tasks(scene.object_count(), [&] {
     Builder builder(scene);
     Fragment root;
     builder.build_top(builder.splitter().whole(), 0, root);

@@ -5,7 +5,8 @@
 
 namespace dapple {
 
-void run_with_tasks(const std::function<void()>& root) {
+void run_with_tasks(std::size_t work, const std::function<void()>& root) {
+  if (work < kTeamWork) return root();
   std::exception_ptr exception;
 #pragma omp parallel
 #pragma omp single

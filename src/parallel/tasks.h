@@ -8,8 +8,10 @@
 
 namespace dapple {
 
-// Runs `root` with a team of threads that take the tasks it creates.
-void run_with_tasks(const std::function<void()>& root);
+// Runs `root` with a team of threads that take the tasks it creates; on this thread alone when
+// there are fewer than kTeamWork things to work on, for which a team would cost more than it gives.
+inline constexpr std::size_t kTeamWork = 1024;
+void run_with_tasks(std::size_t work, const std::function<void()>& root);
 
 // Tasks that are waited for together. Used inside run_with_tasks; outside it, tasks run at once.
 class TaskGroup {

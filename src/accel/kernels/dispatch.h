@@ -29,7 +29,7 @@ struct KernelTable {
 };
 
 // The best level of this processor, or the one that the environment variable DAPPLE_ISA names
-// if the processor has it (an unknown or unavailable name is ignored; see isa_override_error).
+// if the processor has it (an unknown or unavailable name is ignored; see check_isa_override).
 [[nodiscard]] const KernelTable& kernels();
 
 // Levels that this processor can run, best first.

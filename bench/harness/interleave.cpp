@@ -1,0 +1,31 @@
+#include "harness/interleave.h"
+
+namespace dapple::bench {
+namespace {
+
+Seconds run_once(const Task& task) {
+  const CoreScope scope(task.cores);
+  if (task.prepare) task.prepare();
+  const Stopwatch stopwatch;
+  task.run();
+  return stopwatch.elapsed();
+}
+
+}  // namespace
+
+std::vector<Samples> run_interleaved(std::span<const Task> tasks, int rounds, WarmUp warm_up) {
+  std::vector<Samples> samples;
+  for (const Task& task : tasks) samples.push_back({task.name, task.cores, {}});
+  if (warm_up == WarmUp::one_round) {
+    for (const Task& task : tasks) run_once(task);
+  }
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const std::size_t turn = (i + static_cast<std::size_t>(round)) % tasks.size();
+      samples[turn].runs.push_back(run_once(tasks[turn]));
+    }
+  }
+  return samples;
+}
+
+}  // namespace dapple::bench

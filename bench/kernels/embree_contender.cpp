@@ -1,0 +1,45 @@
+#include "kernels/embree_contender.h"
+
+#include <fmt/format.h>
+
+#include "kernels/embree_geometry.h"
+#include "kernels/embree_tracers.h"
+#include "parallel/parallel.h"
+
+namespace dapple::bench {
+
+bool EmbreeContender::count_bytes(void* self, ssize_t bytes, bool) {
+  static_cast<EmbreeContender*>(self)->bytes_ += bytes;
+  return true;
+}
+
+// The affinity of its threads is left to us; a device of one thread builds on the calling one.
+void EmbreeContender::build(const SceneView& scene) {
+  discard();
+  device_ = rtcNewDevice(fmt::format("threads={},set_affinity=0", thread_count()).c_str());
+  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
+  scene_ = rtcNewScene(device_);
+  rtcSetSceneBuildQuality(scene_, quality_);
+  attach_spheres(device_, scene_, scene, quality_);
+  attach_rectangles(device_, scene_, scene, quality_);
+  rtcCommitScene(scene_);
+  first_quad_id_ = static_cast<PrimId>(scene.spheres.size());
+}
+
+void EmbreeContender::discard() {
+  if (device_ == nullptr) return;
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+  device_ = nullptr;
+  scene_ = nullptr;
+  bytes_ = 0;
+}
+
+std::size_t EmbreeContender::bytes() const { return static_cast<std::size_t>(bytes_.load()); }
+
+std::vector<std::unique_ptr<Tracer>> EmbreeContender::tracers(std::span<const Ray> rays,
+                                                              Query query) const {
+  return make_embree_tracers(scene_, rays, query, first_quad_id_);
+}
+
+}  // namespace dapple::bench
