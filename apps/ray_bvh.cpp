@@ -1,5 +1,7 @@
-#include "classic_render.h"
+#include "classic/classic_program.h"
 
 int main(int argc, char** argv) {
-  return dapple::run_classic_render(argc, argv, dapple::AccelKind::fast);
+  return dapple::run_classic_program("ray_bvh", argc, argv, [](const auto& arguments) {
+    return dapple::classic_render(arguments, dapple::AccelKind::fast);
+  });
 }

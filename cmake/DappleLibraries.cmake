@@ -1,7 +1,9 @@
 # The libraries that dapple stands on; each is used behind few files.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(hwy REQUIRED)
+find_package(nlohmann_json REQUIRED)
 find_package(tl-expected REQUIRED)
 find_package(PNG REQUIRED)
 find_package(OpenEXR REQUIRED CONFIG)

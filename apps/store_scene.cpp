@@ -1,0 +1,5 @@
+#include "classic/classic_program.h"
+
+int main(int argc, char** argv) {
+  return dapple::run_classic_program("store_scene", argc, argv, dapple::classic_store);
+}
