@@ -1,2 +1,46 @@
-# What `cmake --install` puts in place.
+# What `cmake --install` puts in place: programs, library, headers, CMake package, pkg-config file,
+# documents. Manual pages and completions are installed where they are made (apps/dapple).
 include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(DAPPLE_PROGRAMS)
+foreach(program ray ray_bvh store_scene describe_scene dapple)
+  if(TARGET ${program})
+    list(APPEND DAPPLE_PROGRAMS ${program})
+  endif()
+endforeach()
+install(TARGETS ${DAPPLE_PROGRAMS} RUNTIME COMPONENT programs)
+
+# The programs can be started from the source folder as ./NAME.
+if(DAPPLE_ROOT_LINKS)
+  foreach(program IN LISTS DAPPLE_PROGRAMS)
+    get_target_property(folder ${program} BINARY_DIR)
+    file(RELATIVE_PATH target ${PROJECT_SOURCE_DIR} ${folder}/${program})
+    file(CREATE_LINK ${target} ${PROJECT_SOURCE_DIR}/${program} SYMBOLIC)
+  endforeach()
+endif()
+
+if(NOT TARGET libdapple)
+  return()
+endif()
+install(TARGETS libdapple EXPORT dappleTargets
+        LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dapple TYPE INCLUDE COMPONENT development)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dapple)
+install(EXPORT dappleTargets NAMESPACE dapple:: DESTINATION ${package_dir} COMPONENT development)
+configure_package_config_file(cmake/dappleConfig.cmake.in dappleConfig.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(dappleConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/dappleConfig.cmake
+              ${PROJECT_BINARY_DIR}/dappleConfigVersion.cmake
+        DESTINATION ${package_dir} COMPONENT development)
+
+# pkg-config: paths relative to the file itself, so that the installation can be moved.
+file(RELATIVE_PATH DAPPLE_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" DAPPLE_PC_PREFIX "${DAPPLE_PC_PREFIX}")
+configure_file(cmake/dapple.pc.in dapple.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/dapple.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)
+
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT programs)
