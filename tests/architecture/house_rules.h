@@ -21,8 +21,8 @@ std::vector<std::string> length_violations(const SourceTree& tree);
 // accel/kernels/ alone; nothing calls functions of <cmath> whose results differ between machines.
 std::vector<std::string> forbidden_calls(const SourceTree& tree);
 
-// Keys of papers in comments (a name and two digits in brackets), each an entry of docs/references.bib; and entries
-// that nobody cites.
+// Keys of papers in comments (a name and two digits in brackets), each an entry of
+// docs/references.bib; and entries that nobody cites.
 std::vector<std::string> citation_violations(const SourceTree& tree);
 
 // Relative links of Markdown pages lead to a file or folder of the tree.
