@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place: programs, library, headers, CMake package, pkg-config file,
-# documents. Manual pages and completions are installed where they are made (apps/dapple).
+# What `cmake --install` puts in place: programs with manual pages and completions, library,
+# headers, CMake package, pkg-config file.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -10,6 +10,18 @@ foreach(program ray ray_bvh store_scene describe_scene dapple)
   endif()
 endforeach()
 install(TARGETS ${DAPPLE_PROGRAMS} RUNTIME COMPONENT programs)
+
+# The build writes these beside the programs (apps/docs).
+set(completions ${PROJECT_BINARY_DIR}/completions)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+        COMPONENT programs)
+install(FILES ${completions}/dapple.bash RENAME dapple
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
+install(FILES ${completions}/_dapple
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT programs)
+install(FILES ${completions}/dapple.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT programs)
 
 # The programs can be started from the source folder as ./NAME.
 if(DAPPLE_ROOT_LINKS)
@@ -42,5 +54,3 @@ string(REGEX REPLACE "/$" "" DAPPLE_PC_PREFIX "${DAPPLE_PC_PREFIX}")
 configure_file(cmake/dapple.pc.in dapple.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/dapple.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
         COMPONENT development)
-
-install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT programs)
