@@ -11,18 +11,6 @@ foreach(program ray ray_bvh store_scene describe_scene dapple)
 endforeach()
 install(TARGETS ${DAPPLE_PROGRAMS} RUNTIME COMPONENT programs)
 
-# The build writes these beside the programs (apps/docs).
-set(completions ${PROJECT_BINARY_DIR}/completions)
-install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-        COMPONENT programs)
-install(FILES ${completions}/dapple.bash RENAME dapple
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
-install(FILES ${completions}/_dapple
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT programs)
-install(FILES ${completions}/dapple.fish
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
-install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT programs)
-
 # The programs can be started from the source folder as ./NAME.
 if(DAPPLE_ROOT_LINKS)
   foreach(program IN LISTS DAPPLE_PROGRAMS)
@@ -35,6 +23,19 @@ endif()
 if(NOT TARGET libdapple)
   return()
 endif()
+
+# The build writes these beside the programs (apps/docs).
+set(completions ${PROJECT_BINARY_DIR}/completions)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+        COMPONENT programs)
+install(FILES ${completions}/dapple.bash RENAME dapple
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
+install(FILES ${completions}/_dapple
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT programs)
+install(FILES ${completions}/dapple.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT programs)
+
 install(TARGETS libdapple EXPORT dappleTargets
         LIBRARY COMPONENT library NAMELINK_COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dapple TYPE INCLUDE COMPONENT development)
