@@ -5,7 +5,7 @@ prefix=$1
 library_dir=$2
 status=0
 for file in bin/ray bin/ray_bvh bin/store_scene bin/describe_scene bin/dapple \
-  include/dapple/scene_io.h include/dapple/version.h \
+  include/dapple/scene_io.h include/dapple/dapple.hpp include/dapple/version.h \
   share/doc/dapple/LICENSE share/doc/dapple/README.md \
   share/man/man1/dapple.1 share/man/man1/ray.1 share/man/man1/ray_bvh.1 \
   share/man/man1/store_scene.1 share/man/man1/describe_scene.1 \
