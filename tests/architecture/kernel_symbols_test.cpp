@@ -21,7 +21,7 @@ std::vector<std::string> objects_in(const std::string& list) {
 
 TEST(KernelSymbols, KernelsShareNoWeakFunction) {
   std::size_t kernels = 0;
-  for (const std::string& object : objects_in(DAPPLE_ACCEL_OBJECTS)) {
+  for (const std::string& object : objects_in(DAPPLE_MODULE_OBJECTS)) {
     const std::string symbols = run_nm(object);
     if (!holds_kernels(symbols)) continue;
     ++kernels;
