@@ -3,25 +3,17 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(DAPPLE_PROGRAMS)
-foreach(program ray ray_bvh store_scene describe_scene dapple)
-  if(TARGET ${program})
-    list(APPEND DAPPLE_PROGRAMS ${program})
-  endif()
-endforeach()
+set(DAPPLE_PROGRAMS ray ray_bvh store_scene describe_scene dapple_command)
 install(TARGETS ${DAPPLE_PROGRAMS} RUNTIME COMPONENT programs)
 
 # The programs can be started from the source folder as ./NAME.
 if(DAPPLE_ROOT_LINKS)
   foreach(program IN LISTS DAPPLE_PROGRAMS)
     get_target_property(folder ${program} BINARY_DIR)
-    file(RELATIVE_PATH target ${PROJECT_SOURCE_DIR} ${folder}/${program})
-    file(CREATE_LINK ${target} ${PROJECT_SOURCE_DIR}/${program} SYMBOLIC)
+    string(REPLACE _command "" name ${program})
+    file(RELATIVE_PATH path ${PROJECT_SOURCE_DIR} ${folder}/${name})
+    file(CREATE_LINK ${path} ${PROJECT_SOURCE_DIR}/${name} SYMBOLIC)
   endforeach()
-endif()
-
-if(NOT TARGET libdapple)
-  return()
 endif()
 
 # The build writes these beside the programs (apps/docs).
@@ -36,7 +28,7 @@ install(FILES ${completions}/dapple.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
 install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT programs)
 
-install(TARGETS libdapple EXPORT dappleTargets
+install(TARGETS dapple EXPORT dappleTargets
         LIBRARY COMPONENT library NAMELINK_COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dapple TYPE INCLUDE COMPONENT development)
 
