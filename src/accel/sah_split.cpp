@@ -13,7 +13,10 @@ constexpr int kBinCount = 16;
 
 // Cost of a leaf, or of what becomes of this many primitives: leaves are tested in blocks.
 constexpr std::size_t kBlock = 16;
-float cost_of(std::size_t count) { return static_cast<float>((count + kBlock - 1) / kBlock); }
+float cost_of(std::size_t count) {
+  const std::size_t blocks = (count + kBlock - 1) / kBlock;
+  return static_cast<float>(blocks);
+}
 
 struct Bin {
   Box4 box;

@@ -40,23 +40,35 @@ namespace dapple {
 
 HWY_EXPORT(table);
 
-const std::vector<const KernelTable*>& kernel_tables() {
-  static const std::vector<const KernelTable*> tables = [] {
-    std::vector<const KernelTable*> result;
-    // Lower bits of a target are better instruction sets.
-    std::int64_t remaining = hwy::SupportedTargets() & HWY_TARGETS;
-    while (remaining != 0) {
-      const std::int64_t best = remaining & -remaining;
-      remaining &= remaining - 1;
-      hwy::SetSupportedTargetsForTest(best);
-      hwy::GetChosenTarget().Update(best);
-      result.push_back(HWY_DYNAMIC_DISPATCH(table)());
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    return result;
-  }();
-  return tables;
+namespace {
+
+// No container: its functions would be weak symbols of an object that holds AVX-512 code.
+struct TableList {
+  const KernelTable* tables[64] = {};
+  std::size_t count = 0;
+};
+
+TableList list_tables() {
+  TableList list;
+  // Lower bits of a target are better instruction sets.
+  std::int64_t remaining = hwy::SupportedTargets() & HWY_TARGETS;
+  while (remaining != 0) {
+    const std::int64_t best = remaining & -remaining;
+    remaining &= remaining - 1;
+    hwy::SetSupportedTargetsForTest(best);
+    hwy::GetChosenTarget().Update(best);
+    list.tables[list.count++] = HWY_DYNAMIC_DISPATCH(table)();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  return list;
+}
+
+}  // namespace
+
+std::span<const KernelTable* const> kernel_tables() {
+  static const TableList list = list_tables();
+  return {list.tables, list.count};
 }
 
 }  // namespace dapple

@@ -1,13 +1,13 @@
 // The kernel tables that were compiled, one for each instruction set that the processor has.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "accel/kernels/dispatch.h"
 
 namespace dapple {
 
 // Best first, never empty.
-[[nodiscard]] const std::vector<const KernelTable*>& kernel_tables();
+[[nodiscard]] std::span<const KernelTable* const> kernel_tables();
 
 }  // namespace dapple
