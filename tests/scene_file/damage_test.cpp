@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ostream>
 
 #include "scene/named_scenes.h"
 #include "scene/validate.h"
@@ -19,6 +20,10 @@ struct Case {
   bool with_bvh;
   std::size_t step;  // 1: every truncation and every bit
 };
+
+void PrintTo(const Case& test_case, std::ostream* out) {
+  *out << test_case.scene << (test_case.with_bvh ? " with BVH" : "");
+}
 
 class Damage : public testing::TestWithParam<Case> {
  protected:
