@@ -42,9 +42,6 @@ HWY_INLINE void clear(PendingStack& stack) { stack.top = kStackBottom; }
 
 #if HWY_TARGET <= HWY_AVX3
 
-using Words = hn::RebindToUnsigned<Floats>;
-using WordVec = hn::Vec<Words>;
-
 // One step of a sorting network: lane i and lane partner[i] are put in order, the larger one into
 // the lanes of `larger`.
 template <int kPartnerDistance>
