@@ -67,11 +67,12 @@ HWY_INLINE void append_hits(const PathVec& path, const HitWords& hit, FloatMask 
   hits.count += hn::CountTrue(Floats(), found);
 }
 
-// Lanes of other kinds look up index 0 and are masked out.
-HWY_INLINE WordVec material_ids(const SurfaceView& surfaces, WordVec prim, WordVec kind) {
+// For each kind that occurs `there`, other lanes look up index 0 and are masked out.
+HWY_INLINE WordVec material_ids(const SurfaceView& surfaces, WordVec prim, WordVec kind,
+                                WordMask there) {
   WordVec ids = hn::Zero(Words());
   for (std::uint32_t k = 0; k < kShapeKindCount; ++k) {
-    const WordMask of_kind = hn::Eq(kind, all_words(k));
+    const WordMask of_kind = hn::And(there, hn::Eq(kind, all_words(k)));
     if (hn::AllFalse(Words(), of_kind)) continue;
     const WordVec index =
         hn::IfThenElseZero(of_kind, hn::Sub(prim, all_words(surfaces.first_ids[k])));
@@ -81,10 +82,11 @@ HWY_INLINE WordVec material_ids(const SurfaceView& surfaces, WordVec prim, WordV
   return ids;
 }
 
-HWY_INLINE MaterialVec materials_of(const SurfaceView& surfaces, WordVec prim, WordVec lane_high) {
+HWY_INLINE MaterialVec materials_of(const SurfaceView& surfaces, WordVec prim, WordVec lane_high,
+                                    FloatMask there) {
   WordVec ids = hn::Zero(Words());
   if (surfaces.material_count > 1) {
-    ids = material_ids(surfaces, prim, hn::ShiftRight<28>(lane_high));
+    ids = material_ids(surfaces, prim, hn::ShiftRight<28>(lane_high), word_mask(there));
   }
   return load_materials(surfaces.materials, ids);
 }
@@ -99,6 +101,7 @@ struct Bounce {
 HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::size_t count,
                              PathArrays& paths) {
   const FloatVec zero = hn::Zero(Floats());
+  const FloatMask there = first_lanes(count);
   PathVec path = {hits.vector_of(0), hits.vector_of(3), hits.vector_of(6),
                   hits.words_of(9),  hits.words_of(10), hits.words_of(11)};
   const SurfacePointVec at = locate(
@@ -106,7 +109,8 @@ HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::si
       {path.origin, path.direction, hits.floats_of(12), hits.words_of(14), hits.words_of(15)});
   const FloatMask from_outside = hn::Lt(dot(path.direction, at.outward), zero);
   const FloatVec3 normal = select(from_outside, at.outward, -at.outward);
-  const MaterialVec material = materials_of(bounce.surfaces, hits.words_of(13), hits.words_of(15));
+  const MaterialVec material =
+      materials_of(bounce.surfaces, hits.words_of(13), hits.words_of(15), there);
   const ScatteredVec scattered =
       scatter(material, {normalize(path.direction), normal, from_outside},
               {path.x, path.y, path.sample, bounce.dimension, bounce.seed});
@@ -117,7 +121,7 @@ HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::si
   const FloatVec side = hn::IfThenElse(same_side, at.error, hn::Neg(at.error));
   path.origin = at.position + side * normal;
   path.direction = scattered.direction;
-  const FloatMask goes_on = hn::AndNot(scattered.absorbed, first_lanes(count));
+  const FloatMask goes_on = hn::AndNot(scattered.absorbed, there);
   const bool all_go_on = hn::AllTrue(Floats(), goes_on);
   store_paths(all_go_on ? path : compress(path, goes_on), paths, paths.count);
   paths.count += hn::CountTrue(Floats(), goes_on);
