@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "accel/linear_accel.h"
 #include "accel/median_accel.h"
@@ -16,21 +15,18 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kAccelNames = {"linear", "median", "fast"};
 
-// A few units in the last place of the largest coordinate that went into a position.
-constexpr float kRelativeError = 0x1p-21f;
-
 // The normal is taken from the ray as the centre sees it, which keeps the digits that a position
 // far from the origin has lost. A ball so small that none are left gets one that faces the ray.
 SurfacePoint locate_on_sphere(const Ray& ray, float t, const Vec3f& centre, float radius) {
   const Vec3f radial = (ray.origin - centre) + t * ray.direction;
   const float squared = dot(radial, radial);
-  const bool has_digits = squared >= std::numeric_limits<float>::min();
+  const bool has_digits = squared >= kSmallestNormal;
   const Vec3f normal = has_digits ? radial / std::sqrt(squared) : -normalize(ray.direction);
   const float size = std::fabs(radius);
   SurfacePoint point;
   point.position = centre + size * normal;  // back onto the sphere: t has the error of its root
   point.outward = radius < 0.0f ? -normal : normal;
-  point.error = kRelativeError * (max_abs_component(centre) + size);
+  point.error = kPositionError * (max_abs_component(centre) + size);
   return point;
 }
 
@@ -39,7 +35,7 @@ SurfacePoint locate_on_rectangle(Vec3f position, RectangleAxes axes, float k) {
   position[axes.k] = k;
   point.position = position;
   point.outward[axes.k] = 1.0f;
-  point.error = kRelativeError * max_abs_component(position);
+  point.error = kPositionError * max_abs_component(position);
   return point;
 }
 

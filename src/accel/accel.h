@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -36,6 +37,11 @@ struct SurfacePoint {
   float error = 0;  // bound on the distance between `position` and the exact surface
 };
 
+// A few units in the last place of the largest coordinate that went into a position.
+inline constexpr float kPositionError = 0x1p-21f;
+// Squares below this have lost digits.
+inline constexpr float kSmallestNormal = std::numeric_limits<float>::min();
+
 // Immutable after construction; every call may be made from many threads at once. All kinds give
 // the same hits bit for bit. A hit is the nearest in [t_min, t_max]; among equals the lowest id.
 class Accel {
@@ -53,6 +59,8 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
+  // Where the lanes of hits point into.
+  const LeafRow* leaf_rows() const { return leaf_rows_; }
   // `hit` must have been found by this structure for this ray.
   SurfacePoint locate(const Ray& ray, const Hit& hit) const;
 

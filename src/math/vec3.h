@@ -70,7 +70,9 @@ Vec3<T> normalize(const Vec3<T>& a) {
 }
 template <class T>
 T max_abs_component(const Vec3<T>& a) {
-  return std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+  const T x = std::fabs(a.x), y = std::fabs(a.y), z = std::fabs(a.z);
+  const T xy = x > y ? x : y;
+  return xy > z ? xy : z;
 }
 template <class T>
 bool is_finite(const Vec3<T>& a) {

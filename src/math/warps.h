@@ -18,7 +18,8 @@ inline Vec3f sample_uniform_disc(float u, float v) {
 // A uniform point of the unit sphere; density 1 / (4 pi).
 inline Vec3f sample_uniform_sphere(float u, float v) {
   const float z = 1.0f - 2.0f * u;
-  const float r = std::sqrt(std::fmax(0.0f, 1.0f - z * z));
+  const float squared = 1.0f - z * z;
+  const float r = std::sqrt(squared > 0.0f ? squared : 0.0f);
   const SinCos<float> angle = sin_cos_turns(v);
   return {r * angle.cos, r * angle.sin, z};
 }

@@ -20,24 +20,24 @@ Expected<CameraRays> CameraRays::create(const Camera& camera, const RenderSettin
   const double lens_radius = camera.aperture / 2;
 
   CameraRays rays;
-  rays.origin_ = Vec3f(camera.look_from);
-  rays.corner_ = Vec3f(-(0.5 * settings.width * pixel) * u + (0.5 * settings.height * pixel) * v -
-                       camera.focus_distance * w);
-  rays.per_column_ = Vec3f(pixel * u);
-  rays.per_row_ = Vec3f(-pixel * v);
-  rays.lens_u_ = Vec3f(lens_radius * u);
-  rays.lens_v_ = Vec3f(lens_radius * v);
+  rays.frame_.origin = Vec3f(camera.look_from);
+  rays.frame_.corner = Vec3f(-(0.5 * settings.width * pixel) * u +
+                             (0.5 * settings.height * pixel) * v - camera.focus_distance * w);
+  rays.frame_.per_column = Vec3f(pixel * u);
+  rays.frame_.per_row = Vec3f(-pixel * v);
+  rays.frame_.lens_u = Vec3f(lens_radius * u);
+  rays.frame_.lens_v = Vec3f(lens_radius * v);
   return rays;
 }
 
 Ray CameraRays::generate(int x, int y, const std::array<float, 4>& u) const {
   const Vec3f lens = sample_uniform_disc(u[2], u[3]);
-  const Vec3f offset = lens.x * lens_u_ + lens.y * lens_v_;
+  const Vec3f offset = lens.x * frame_.lens_u + lens.y * frame_.lens_v;
   const float column = static_cast<float>(x) + u[0];
   const float row = static_cast<float>(y) + u[1];
   Ray ray;
-  ray.origin = origin_ + offset;
-  ray.direction = corner_ + column * per_column_ + row * per_row_ - offset;
+  ray.origin = frame_.origin + offset;
+  ray.direction = frame_.corner + column * frame_.per_column + row * frame_.per_row - offset;
   ray.t_min = kRayTMin;
   return ray;
 }

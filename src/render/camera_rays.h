@@ -10,6 +10,15 @@
 
 namespace dapple {
 
+// The numbers that rays are made of.
+struct CameraFrame {
+  Vec3f origin;
+  Vec3f corner;      // from the origin to the top left corner of the picture, on the focus plane
+  Vec3f per_column;  // one pixel to the right
+  Vec3f per_row;     // one pixel down
+  Vec3f lens_u, lens_v;
+};
+
 class CameraRays {
  public:
   // An error when the camera's axes are degenerate: it looks at where it stands, or along `up`.
@@ -19,16 +28,16 @@ class CameraRays {
   // The ray through point (u[0], u[1]) of pixel (x, y), row 0 at the top, from the point of the
   // lens that u[2] and u[3] choose. Its direction reaches the focus plane at t = 1.
   Ray generate(int x, int y, const std::array<float, 4>& u) const;
+  const CameraFrame& frame() const { return frame_; }
 
  private:
   CameraRays() = default;
 
-  Vec3f origin_;
-  Vec3f corner_;      // from the origin to the top left corner of the picture, on the focus plane
-  Vec3f per_column_;  // one pixel to the right
-  Vec3f per_row_;     // one pixel down
-  Vec3f lens_u_, lens_v_;
+  CameraFrame frame_;
 };
+
+// The block of four random numbers of a sample that its camera ray uses.
+inline constexpr std::uint32_t kCameraDimension = 0;
 
 // Distances along a ray below this, in units of its direction, are not hits.
 inline constexpr float kRayTMin = 1e-3f;

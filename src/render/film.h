@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -15,8 +16,10 @@ namespace dapple {
 inline constexpr float kFilmStepsPerUnit = 0x1p24f;
 // A sample is cut at this value in each channel.
 inline constexpr float kFilmClamp = 0x1p14f;
+inline constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 using PixelSum = std::array<std::int64_t, 3>;
+static_assert(sizeof(PixelSum) == 3 * sizeof(std::int64_t));
 
 // A rectangle of pixels: columns [x0, x1), rows [y0, y1).
 struct Tile {
@@ -35,6 +38,10 @@ class TileSums {
   // Adds one sample to pixel `index` of the tile (row by row). A sample that is not finite is
   // counted and left out.
   void add(std::size_t index, const Vec3f& radiance);
+
+  // For code that adds many samples at once: the sums, channel by channel, and what it left out.
+  std::int64_t* steps() { return reinterpret_cast<std::int64_t*>(sums_.data()); }
+  void drop(std::uint64_t count) { dropped_ += count; }
 
   const Tile& tile() const { return tile_; }
   std::span<const PixelSum> sums() const { return sums_; }

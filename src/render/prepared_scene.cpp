@@ -5,7 +5,22 @@
 namespace dapple {
 
 PreparedScene::PreparedScene(const SceneView& scene, std::unique_ptr<Accel> accel)
-    : scene_(scene), first_ids_(first_prim_ids(scene)), accel_(std::move(accel)) {}
+    : scene_(scene),
+      first_ids_(first_prim_ids(scene)),
+      accel_(std::move(accel)),
+      materials_(material_records(scene.materials)) {}
+
+SurfaceView PreparedScene::surfaces() const {
+  SurfaceView view;
+  view.leaf_rows = accel_->leaf_rows();
+  view.materials = materials_.data();
+  view.material_count = materials_.size();
+  for (std::size_t k = 0; k < kShapeKindCount; ++k) {
+    view.materials_of[k] = scene_.materials_of(static_cast<ShapeKind>(k)).data();
+    view.first_ids[k] = static_cast<PrimId>(first_ids_[k]);
+  }
+  return view;
+}
 
 const Material& PreparedScene::material_of(const Hit& hit) const {
   const ShapeKind kind = hit.lane.kind();

@@ -4,8 +4,10 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "accel/accel.h"
+#include "render/kernels/path_kernels.h"
 #include "scene/scene_view.h"
 
 namespace dapple {
@@ -18,11 +20,14 @@ class PreparedScene {
   const Camera& camera() const { return scene_.camera; }
   const Accel& accel() const { return *accel_; }
   const Material& material_of(const Hit& hit) const;
+  // For the kernels; valid as long as this.
+  SurfaceView surfaces() const;
 
  private:
   SceneView scene_;
   std::array<std::size_t, kShapeKindCount> first_ids_;
   std::unique_ptr<Accel> accel_;
+  std::vector<MaterialRecord> materials_;
 };
 
 }  // namespace dapple

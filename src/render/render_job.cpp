@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <vector>
 
 #include "parallel/parallel.h"
 #include "render/camera_rays.h"
@@ -13,8 +12,8 @@ namespace dapple {
 namespace {
 
 constexpr int kTileSide = 32;
-constexpr int kSamplesPerUnit =
-    4;  // with the tile: 4096 paths in flight, in the second-level cache
+// With the tile: 4096 paths in flight, which the second-level cache holds.
+constexpr int kSamplesPerUnit = 4;
 
 // A pure function of the job: which pixels and which samples.
 struct Unit {
@@ -22,19 +21,36 @@ struct Unit {
   SampleRange samples;
 };
 
-std::vector<Unit> units_of(const RenderSettings& s) {
-  std::vector<Unit> units;
-  for (int first = 0; first < s.samples_per_pixel; first += kSamplesPerUnit) {
-    const SampleRange samples{first, std::min(first + kSamplesPerUnit, s.samples_per_pixel)};
-    for (int y = 0; y < s.height; y += kTileSide) {
-      for (int x = 0; x < s.width; x += kTileSide) {
-        const Tile tile{x, y, std::min(x + kTileSide, s.width), std::min(y + kTileSide, s.height)};
-        units.push_back({tile, samples});
-      }
-    }
+// The units of a job by number: all tiles of the first samples, then of the next.
+class Units {
+ public:
+  explicit Units(const RenderSettings& s)
+      : settings_(s),
+        columns_(count_of(s.width, kTileSide)),
+        rows_(count_of(s.height, kTileSide)),
+        blocks_(count_of(s.samples_per_pixel, kSamplesPerUnit)) {}
+
+  std::size_t size() const { return columns_ * rows_ * blocks_; }
+
+  Unit operator[](std::size_t i) const {
+    const auto column = static_cast<int>(i % columns_);
+    const auto row = static_cast<int>(i / columns_ % rows_);
+    const auto block = static_cast<int>(i / columns_ / rows_);
+    const RenderSettings& s = settings_;
+    const int x = column * kTileSide, y = row * kTileSide, first = block * kSamplesPerUnit;
+    return {{x, y, std::min(x + kTileSide, s.width), std::min(y + kTileSide, s.height)},
+            {first, std::min(first + kSamplesPerUnit, s.samples_per_pixel)}};
   }
-  return units;
-}
+
+ private:
+  static std::size_t count_of(int whole, int part) {
+    return (static_cast<std::size_t>(whole) + static_cast<std::size_t>(part) - 1) /
+           static_cast<std::size_t>(part);
+  }
+
+  const RenderSettings& settings_;
+  std::size_t columns_, rows_, blocks_;
+};
 
 // Counts finished units and tells the caller.
 class Progress {
@@ -62,15 +78,16 @@ Expected<RenderResult> render(const PreparedScene& scene, const RenderSettings& 
   const auto camera = CameraRays::create(scene.camera(), settings);
   if (!camera) return tl::unexpected(camera.error());
   const ClassicPaths paths(scene, *camera, settings);
-  const std::vector<Unit> units = units_of(settings);
+  const Units units(settings);
   Film film(settings.width, settings.height);
   Progress progress(control, units.size());
   const auto cancelled = [&] { return control.cancel != nullptr && control.cancel->load(); };
 
   parallel_for_dynamic(units.size(), [&](std::size_t i) {
     if (cancelled()) return;
-    TileSums sums(units[i].tile);
-    paths.render(units[i].samples, sums);
+    const Unit unit = units[i];
+    TileSums sums(unit.tile);
+    paths.render(unit.samples, sums);
     film.merge(sums);
     progress.count_one();
   });

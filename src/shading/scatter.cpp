@@ -16,8 +16,10 @@ std::optional<Scattered> scatter(const Lambertian& material, const Encounter& at
 
 std::optional<Scattered> scatter(const Metal& material, const Encounter& at,
                                  const std::array<float, 4>& u) {
-  const Vec3f blur = static_cast<float>(material.fuzz) * sample_uniform_ball(u[0], u[1], u[2]);
-  const Vec3f direction = reflect(at.direction, at.normal) + blur;
+  const auto fuzz = static_cast<float>(material.fuzz);
+  Vec3f direction = reflect(at.direction, at.normal);
+  // A perfect mirror's direction keeps its zeros' signs, so that nothing need be drawn for it.
+  if (fuzz != 0.0f) direction = direction + fuzz * sample_uniform_ball(u[0], u[1], u[2]);
   if (!(dot(direction, at.normal) > 0.0f)) return std::nullopt;
   return Scattered{direction, Vec3f(material.albedo)};
 }
@@ -26,7 +28,8 @@ std::optional<Scattered> scatter(const Dielectric& material, const Encounter& at
                                  const std::array<float, 4>& u) {
   const auto ref_idx = static_cast<float>(material.ref_idx);
   const float eta = at.from_outside ? 1.0f / ref_idx : ref_idx;
-  const float cos_in = std::fmin(-dot(at.direction, at.normal), 1.0f);
+  const float cos_exact = -dot(at.direction, at.normal);
+  const float cos_in = cos_exact < 1.0f ? cos_exact : 1.0f;
   const float sin2_out = eta * eta * (1.0f - cos_in * cos_in);
   const Vec3f white(1, 1, 1);
   const Vec3f reflected = reflect(at.direction, at.normal);

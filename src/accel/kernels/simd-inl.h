@@ -1,9 +1,6 @@
-// Vectors of up to 16 floats for the instruction set being compiled. Nothing of std:: may be
-// called in these files: its templates would be compiled once for each instruction set under one
-// name, and the linker keeps any of them for everyone.
-#include <hwy/highway.h>
-
+// Rays on the vectors of math/simd-inl.h.
 #include "accel/prepared_ray.h"
+#include "math/simd-inl.h"
 
 #if defined(DAPPLE_KERNELS_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_SIMD_INL_H
@@ -15,18 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using FloatVec = hn::Vec<Floats>;
-using FloatMask = hn::Mask<Floats>;
-using Words = hn::RebindToUnsigned<Floats>;
-using WordVec = hn::Vec<Words>;
-inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
-
-HWY_INLINE FloatVec all(float x) { return hn::Set(Floats(), x); }
-HWY_INLINE FloatVec load_floats(const float* floats) { return hn::Load(Floats(), floats); }
 
 HWY_INLINE float load_float(const std::uint32_t* word) {
   float value;

@@ -1,0 +1,88 @@
+// TileSums::add for one sample a lane.
+#include "math/simd-inl.h"
+#include "render/film.h"
+
+#if defined(DAPPLE_RENDER_FILM_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef DAPPLE_RENDER_FILM_INL_H
+#undef DAPPLE_RENDER_FILM_INL_H
+#else
+#define DAPPLE_RENDER_FILM_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dapple {
+namespace HWY_NAMESPACE {
+
+// Where and what a block of samples adds.
+struct FilmLanes {
+  HWY_ALIGN std::uint32_t index[kLanes];  // of the pixel in the tile
+  HWY_ALIGN float scaled[3][kLanes];      // in steps, not rounded
+  HWY_ALIGN std::uint32_t steps[3][kLanes];
+};
+
+HWY_INLINE FloatMask is_finite(FloatVec v) { return hn::Le(hn::Abs(v), all(kLargestFloat)); }
+
+// Rounds to the nearest step, halves up: exact where the result is below 2^31.
+HWY_INLINE WordVec round_steps(FloatVec scaled) {
+  const WordVec whole = to_words(scaled);
+  const FloatMask up = hn::Ge(hn::Sub(scaled, to_floats(whole)), all(0.5f));
+  return hn::Add(whole, hn::IfThenElseZero(word_mask(up), all_words(1)));
+}
+
+// Returns the lanes whose steps may not fit into a word.
+HWY_INLINE FloatMask store_channel(FloatVec radiance, FloatMask counts, int channel,
+                                   FilmLanes& lanes) {
+  FloatVec value = hn::IfThenElseZero(counts, radiance);
+  value = larger(value, hn::Zero(Floats()));
+  value = smaller(value, all(kFilmClamp));
+  const FloatVec scaled = hn::Mul(value, all(kFilmStepsPerUnit));
+  const FloatMask large = hn::Ge(scaled, all(0x1p31f));
+  hn::Store(scaled, Floats(), lanes.scaled[channel]);
+  hn::Store(round_steps(hn::IfThenZeroElse(large, scaled)), Words(), lanes.steps[channel]);
+  return large;
+}
+
+HWY_INLINE void sum_words(const FilmLanes& lanes, std::size_t count, std::int64_t* sums) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::int64_t* pixel = sums + std::size_t{3} * lanes.index[i];
+    for (int channel = 0; channel < 3; ++channel) pixel[channel] += lanes.steps[channel][i];
+  }
+}
+
+HWY_INLINE void sum_large(const FilmLanes& lanes, std::size_t count, std::int64_t* sums) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::int64_t* pixel = sums + std::size_t{3} * lanes.index[i];
+    for (int channel = 0; channel < 3; ++channel) {
+      pixel[channel] +=
+          static_cast<std::int64_t>(static_cast<double>(lanes.scaled[channel][i]) + 0.5);
+    }
+  }
+}
+
+// Adds the first `count` lanes.
+HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec x, WordVec y, std::size_t count,
+                            TileSums& sums) {
+  const Tile& tile = sums.tile();
+  const FloatMask finite =
+      hn::And(is_finite(radiance.x), hn::And(is_finite(radiance.y), is_finite(radiance.z)));
+  FilmLanes lanes;
+  const WordVec row = hn::Sub(y, all_words(static_cast<std::uint32_t>(tile.y0)));
+  const WordVec column = hn::Sub(x, all_words(static_cast<std::uint32_t>(tile.x0)));
+  const WordVec width = all_words(static_cast<std::uint32_t>(tile.width()));
+  hn::Store(hn::Add(hn::Mul(row, width), column), Words(), lanes.index);
+  const FloatMask large = hn::Or(store_channel(radiance.x, finite, 0, lanes),
+                                 hn::Or(store_channel(radiance.y, finite, 1, lanes),
+                                        store_channel(radiance.z, finite, 2, lanes)));
+  if (HWY_UNLIKELY(any(large))) {
+    sum_large(lanes, count, sums.steps());
+  } else {
+    sum_words(lanes, count, sums.steps());
+  }
+  const FloatMask counted = hn::FirstN(Floats(), count);
+  sums.drop(hn::CountTrue(Floats(), hn::AndNot(finite, counted)));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dapple
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,60 @@
+// The stages of paths between traversals, for many paths at once: one table of functions for each
+// instruction set, all of the same bits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "accel/hit.h"
+#include "math/ray.h"
+#include "render/camera_rays.h"
+#include "render/film.h"
+#include "shading/material_table.h"
+
+namespace dapple {
+
+// Samples [begin, end) of every pixel.
+struct SampleRange {
+  int begin = 0;
+  int end = 0;
+};
+
+// Paths in flight as arrays on 64-byte boundaries; element i of each belongs to path i. There is
+// room for kPathPadding elements beyond `count`, with finite numbers.
+struct PathArrays {
+  Ray* rays;
+  Hit* hits;
+  float* throughput[3];
+  std::uint32_t* x;
+  std::uint32_t* y;
+  std::uint32_t* sample;
+  std::size_t count;
+};
+inline constexpr std::size_t kPathPadding = 32;
+
+// What hits are looked up in.
+struct SurfaceView {
+  const LeafRow* leaf_rows = nullptr;
+  const MaterialRecord* materials = nullptr;
+  std::size_t material_count = 0;
+  std::array<const MaterialId*, kShapeKindCount> materials_of = {};
+  std::array<PrimId, kShapeKindCount> first_ids = {};
+};
+
+struct PathKernels {
+  std::string_view isa;  // as in accel/kernels/dispatch.h
+  // Starts a path for each sample of each pixel.
+  void (*start)(const CameraFrame&, const Tile&, SampleRange, std::uint64_t seed, PathArrays&);
+  // Adds the sky to the film for paths that hit nothing, turns the others' rays into scattered ones
+  // and drops those that were absorbed. The order of the paths changes.
+  void (*scatter)(const SurfaceView&, std::uint32_t dimension, std::uint64_t seed, PathArrays&,
+                  TileSums&);
+  // Adds all paths' throughput to the film, as if they saw white.
+  void (*cut)(const PathArrays&, TileSums&);
+};
+
+// Those of the instruction set in use (see accel/kernels/dispatch.h).
+[[nodiscard]] const PathKernels& path_kernels();
+
+}  // namespace dapple

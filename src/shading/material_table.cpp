@@ -1,0 +1,28 @@
+#include "shading/material_table.h"
+
+namespace dapple {
+namespace {
+
+MaterialRecord record_of(const Lambertian& m) {
+  return {.albedo = Vec3f(m.albedo), .kind = MaterialKind::lambertian};
+}
+MaterialRecord record_of(const Metal& m) {
+  return {
+      .albedo = Vec3f(m.albedo), .fuzz = static_cast<float>(m.fuzz), .kind = MaterialKind::metal};
+}
+MaterialRecord record_of(const Dielectric& m) {
+  return {.ref_idx = static_cast<float>(m.ref_idx), .kind = MaterialKind::dielectric};
+}
+
+}  // namespace
+
+std::vector<MaterialRecord> material_records(std::span<const Material> materials) {
+  std::vector<MaterialRecord> records;
+  records.reserve(materials.size());
+  for (const Material& material : materials) {
+    records.push_back(std::visit([](const auto& m) { return record_of(m); }, material));
+  }
+  return records;
+}
+
+}  // namespace dapple

@@ -1,0 +1,197 @@
+// The vector kernels against the scalar definitions that they follow: the same sums, to the bit,
+// path by path.
+#include "render/kernels/path_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+
+#include "accel/kernels/dispatch.h"
+#include "math/random.h"
+#include "render/classic_paths.h"
+#include "scene/named_scenes.h"
+#include "shading/scatter.h"
+#include "tests/scenes/picture_scenes.h"
+
+namespace dapple::test {
+namespace {
+
+// One path after the other, from the scalar functions alone.
+class ScalarPaths {
+ public:
+  ScalarPaths(const PreparedScene& scene, const CameraRays& camera, const RenderSettings& settings)
+      : scene_(scene), camera_(camera), settings_(settings) {}
+
+  void render(SampleRange samples, TileSums& sums) const {
+    std::size_t pixel = 0;
+    for (int y = sums.tile().y0; y < sums.tile().y1; ++y) {
+      for (int x = sums.tile().x0; x < sums.tile().x1; ++x, ++pixel) {
+        for (int sample = samples.begin; sample < samples.end; ++sample) {
+          if (const auto radiance = trace(x, y, sample)) sums.add(pixel, *radiance);
+        }
+      }
+    }
+  }
+
+ private:
+  std::array<float, 4> random(int x, int y, int sample, std::uint32_t dimension) const {
+    return uniform4(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                    static_cast<std::uint32_t>(sample), dimension, settings_.seed);
+  }
+
+  // No value for a path that was absorbed.
+  std::optional<Vec3f> trace(int x, int y, int sample) const {
+    Vec3f throughput{1, 1, 1};
+    Ray ray = camera_.generate(x, y, random(x, y, sample, kCameraDimension));
+    for (int scatterings = 0; scatterings < settings_.max_scatterings; ++scatterings) {
+      const Hit hit = scene_.accel().intersect(ray);
+      if (!hit.found()) return throughput * sky(ray.direction);
+      const SurfacePoint at = scene_.accel().locate(ray, hit);
+      const bool from_outside = dot(ray.direction, at.outward) < 0.0f;
+      const Vec3f normal = from_outside ? at.outward : -at.outward;
+      const auto scattered =
+          scatter(scene_.material_of(hit), {normalize(ray.direction), normal, from_outside},
+                  random(x, y, sample, scattering_dimension(scatterings)));
+      if (!scattered) return std::nullopt;
+      throughput = throughput * scattered->attenuation;
+      const float side = dot(scattered->direction, normal) >= 0.0f ? at.error : -at.error;
+      ray.origin = at.position + side * normal;
+      ray.direction = scattered->direction;
+    }
+    return throughput;
+  }
+
+  const PreparedScene& scene_;
+  const CameraRays& camera_;
+  const RenderSettings& settings_;
+};
+
+Material random_material(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit;
+  const Vec3d albedo = {unit(random), unit(random), unit(random)};
+  switch (random() % 5) {
+    case 0:
+      return Lambertian{albedo};
+    case 1:
+      return Metal{albedo, 0};
+    case 2:
+      return Metal{albedo, 2 * unit(random)};
+    case 3:
+      return Dielectric{1 + unit(random)};
+    default:
+      return Dielectric{1 / (1 + unit(random))};
+  }
+}
+
+// Shapes of all kinds around the origin, seen from among them.
+Scene random_scene(std::mt19937_64& random, int object_count, int material_count) {
+  std::uniform_real_distribution<double> around(-10, 10), size(0.1, 3);
+  Scene scene;
+  scene.camera.look_from = {around(random), around(random), around(random)};
+  scene.camera.aperture = 0.3;
+  std::vector<MaterialId> materials;
+  for (int i = 0; i < material_count; ++i) {
+    materials.push_back(scene.add_material(random_material(random)));
+  }
+  for (int i = 0; i < object_count; ++i) {
+    const Vec3d at = {around(random), around(random), around(random)};
+    const double r = size(random);
+    const MaterialId material = materials[random() % materials.size()];
+    const auto kind = static_cast<ShapeKind>(random() % kShapeKindCount);
+    if (kind == ShapeKind::sphere) {
+      scene.add_sphere({at, random() % 4 == 0 ? -r : r}, material);
+    } else {
+      scene.add_rectangle(kind, {at.x - r, at.x + r, at.y - r, at.y + r, at.z}, material);
+    }
+  }
+  return scene;
+}
+
+// Both ways of rendering some tiles, on every instruction set.
+void expect_scalar_sums(const Scene& scene, const std::string& name) {
+  RenderSettings settings;
+  settings.width = 61;
+  settings.height = 47;
+  settings.samples_per_pixel = 3;
+  settings.seed = 0x123456789abcdefu;
+  const PreparedScene prepared(scene, make_accel(AccelKind::fast, scene));
+  const auto camera = CameraRays::create(scene.camera, settings);
+  ASSERT_TRUE(camera);
+  const ScalarPaths scalar(prepared, *camera, settings);
+  const ClassicPaths paths(prepared, *camera, settings);
+  for (const Tile& tile : {Tile{0, 0, 61, 47}, Tile{7, 3, 8, 4}, Tile{30, 20, 47, 29}}) {
+    TileSums expected(tile);
+    scalar.render({1, 3}, expected);
+    for (const std::string_view isa : available_isas()) {
+      ASSERT_TRUE(force_isa(isa));
+      TileSums sums(tile);
+      paths.render({1, 3}, sums);
+      EXPECT_EQ(sums.dropped(), expected.dropped()) << name << ", " << isa;
+      EXPECT_TRUE(std::ranges::equal(sums.sums(), expected.sums())) << name << ", " << isa;
+    }
+    ASSERT_TRUE(force_isa(available_isas().front()));
+  }
+}
+
+TEST(PathKernels, TheForcedLevelIsTheOneInUse) {
+  std::set<const void*> functions;
+  for (const std::string_view isa : available_isas()) {
+    ASSERT_TRUE(force_isa(isa));
+    EXPECT_EQ(path_kernels().isa, isa);
+    functions.insert(reinterpret_cast<const void*>(path_kernels().scatter));
+  }
+  EXPECT_EQ(functions.size(), available_isas().size());
+  ASSERT_TRUE(force_isa(available_isas().front()));
+}
+
+TEST(PathKernels, AgreeWithTheScalarDefinitionsOnRandomScenes) {
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 12; ++i) {
+    const Scene scene = random_scene(random, 1 + 20 * i, 1 + static_cast<int>(random() % 40));
+    expect_scalar_sums(scene, "random scene " + std::to_string(i));
+  }
+}
+
+TEST(PathKernels, AgreeWithTheScalarDefinitionsOnKnownScenes) {
+  for (const PictureScene& scene : picture_scenes()) expect_scalar_sums(scene.scene, scene.name);
+  for (const char* name : {"nice", "irreg:20", "rgbbox", "empty", "spheres:500"}) {
+    expect_scalar_sums(make_named_scene(name).value(), name);
+  }
+}
+
+// Samples beyond what the film's words hold, beyond its clamp, and beyond all floats.
+TEST(PathKernels, AgreeWithTheScalarDefinitionsOnBrightAndInfiniteSamples) {
+  std::mt19937_64 random(12);
+  for (const double albedo : {3.0, 100.0, 1e10, 1e30}) {
+    Scene scene = random_scene(random, 100, 20);
+    for (std::size_t i = 0; i < scene.materials.size(); i += 2) {
+      scene.materials[i] = Lambertian{{albedo, 0.5, 1}};
+    }
+    expect_scalar_sums(scene, "albedo " + std::to_string(albedo));
+  }
+}
+
+// Spheres so small that their normals have no digits, and so far that positions have few.
+TEST(PathKernels, AgreeWithTheScalarDefinitionsOnTinyAndFarSpheres) {
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const double scale : {1e-22, 1e-15, 1.0, 1e7}) {
+    Scene scene;
+    scene.camera.look_from = {0, 0, 3 * scale};
+    scene.camera.aperture = 0;
+    for (int i = 0; i < 50; ++i) {
+      const MaterialId material = scene.add_material(random_material(random));
+      scene.add_sphere(
+          {{scale * unit(random), scale * unit(random), scale * unit(random)}, scale * 0.3},
+          material);
+    }
+    expect_scalar_sums(scene, "scale " + std::to_string(scale));
+  }
+}
+
+}  // namespace
+}  // namespace dapple::test
