@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace dapple {
 
@@ -18,10 +19,12 @@ void TileSums::add(std::size_t index, const Vec3f& radiance) {
   }
 }
 
-Film::Film(int width, int height)
-    : width_(width),
-      height_(height),
-      sums_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+Film::Film(int width, int height) : width_(width), height_(height) {
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  // Huge pages are promised without limit; ordinary memory is refused where there is too little.
+  ::operator delete(::operator new(count * sizeof(PixelSum)));
+  sums_ = HugeArray<PixelSum>(count);
+}
 
 void Film::merge(const TileSums& tile) {
   const std::lock_guard lock(mutex_);

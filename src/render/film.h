@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "util/huge_array.h"
 
 namespace dapple {
 
@@ -69,7 +70,7 @@ class Film {
  private:
   int width_;
   int height_;
-  std::vector<PixelSum> sums_;
+  HugeArray<PixelSum> sums_;  // zero at first
   std::uint64_t dropped_ = 0;
   std::mutex mutex_;
 };
