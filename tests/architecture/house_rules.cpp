@@ -14,6 +14,12 @@ bool is_source(const std::string& file) {
 
 bool is_header(const std::string& file) { return file.ends_with(".h") || file.ends_with(".hpp"); }
 
+bool is_guarded(const std::string& file, const std::string& text) {
+  static const std::regex macro(R"(#ifndef [A-Z_]+_H\n#define [A-Z_]+_H\n)");  // C has no other
+  return text.find("#pragma once") != std::string::npos || file.ends_with("-inl.h") ||
+         std::regex_search(text, macro);
+}
+
 struct Rule {
   std::regex pattern;
   std::vector<std::string> except;  // beginnings of the paths where it is allowed
@@ -76,9 +82,7 @@ std::vector<std::string> naming_violations(const SourceTree& tree) {
     if (!std::regex_match(path_parts(file).back(), name)) {
       violations.push_back(file + ": is not named in snake_case");
     }
-    const bool guarded = text.find("#pragma once") != std::string::npos ||
-                         text.find("_H_") != std::string::npos || file.ends_with("-inl.h");
-    if (is_header(file) && !guarded) violations.push_back(file + ": has no #pragma once");
+    if (is_header(file) && !is_guarded(file, text)) violations.push_back(file + ": has no guard");
   }
   return violations;
 }

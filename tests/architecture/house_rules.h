@@ -11,7 +11,8 @@ namespace dapple::architecture {
 // Each function gives one line "FILE: reason" or "FILE:LINE: reason" for each offence.
 
 // Files are named in snake_case (with Highway's "-inl" for headers that are compiled once for each
-// instruction set); headers are guarded by #pragma once.
+// instruction set); headers are guarded, by #pragma once or in C by a
+// macro.
 std::vector<std::string> naming_violations(const SourceTree& tree);
 
 // Nine files of ten have fewer than 300 lines.

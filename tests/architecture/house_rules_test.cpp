@@ -27,12 +27,12 @@ TEST(HouseRules, HoldInThisRepository) {
 }
 
 TEST(HouseRules, Names) {
-  EXPECT_THAT(naming_violations({{"src/math/a_b2.cpp", ""},
-                                 {"src/accel/kernels/simd-inl.h", ""},
-                                 {"src/math/Vec.cpp", ""},
-                                 {"src/math/ray.h", "int x;"}}),
-              ElementsAre("src/math/Vec.cpp: is not named in snake_case",
-                          "src/math/ray.h: has no #pragma once"));
+  EXPECT_THAT(
+      naming_violations({{"src/math/a_b2.cpp", ""},
+                         {"src/accel/kernels/simd-inl.h", ""},
+                         {"src/math/Vec.cpp", ""},
+                         {"src/math/ray.h", "int x;"}}),
+      ElementsAre("src/math/Vec.cpp: is not named in snake_case", "src/math/ray.h: has no guard"));
 }
 
 TEST(HouseRules, Lengths) {
