@@ -9,7 +9,6 @@ namespace dapple {
 namespace {
 
 constexpr int kTileSide = 32;
-constexpr std::uint32_t kCameraDimension = 0;
 constexpr std::uint32_t kBounceDimension = 1;
 
 Ray bounce(const Accel& accel, const Ray& ray, const Hit& hit, const std::array<float, 4>& u) {
