@@ -133,31 +133,54 @@ LeafVerdict check_leaf(ShapeKind kind, const LeafRow* leaf, const Bounds3f& box,
   return verdict;
 }
 
-LeafCheck leaf_check_compiled() { return check_leaf; }
-
 }  // namespace HWY_NAMESPACE
 }  // namespace dapple
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dapple {
+namespace {
 
-HWY_EXPORT(leaf_check_compiled);
+struct Level {
+  std::int64_t target;
+  LeafCheck check;
+};
 
-const std::vector<LeafCheck>& leaf_checks() {
-  static const std::vector<LeafCheck> checks = [] {
-    std::vector<LeafCheck> result;
-    // Lower bits of a target are better instruction sets.
-    std::int64_t remaining = hwy::SupportedTargets() & HWY_TARGETS;
-    while (remaining != 0) {
-      hwy::GetChosenTarget().Update(remaining & -remaining);
-      remaining &= remaining - 1;
-      result.push_back(HWY_DYNAMIC_DISPATCH(leaf_check_compiled)());
+// Best first. The last one runs everywhere.
+constexpr Level kLevels[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {HWY_AVX3, N_AVX3::check_leaf},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {HWY_AVX2, N_AVX2::check_leaf},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {HWY_SSE4, N_SSE4::check_leaf},
+#endif
+#if HWY_TARGETS & HWY_SSSE3
+    {HWY_SSSE3, N_SSSE3::check_leaf},
+#endif
+    {HWY_STATIC_TARGET, HWY_STATIC_DISPATCH(check_leaf)},
+};
+
+// No container: its functions would be weak symbols of an object that holds AVX-512 code.
+struct List {
+  LeafCheck checks[sizeof(kLevels) / sizeof(kLevels[0])] = {};
+  std::size_t count = 0;
+
+  List() {
+    const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
+    for (const Level& level : kLevels) {
+      if ((supported & level.target) != 0) checks[count++] = level.check;
     }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    return result;
-  }();
-  return checks;
+  }
+};
+
+}  // namespace
+
+std::span<const LeafCheck> leaf_checks() {
+  static const List list;
+  return {list.checks, list.count};
 }
 
 }  // namespace dapple

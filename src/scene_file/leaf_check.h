@@ -1,7 +1,7 @@
 // The inner loop of a BVH's proof: the primitives of one leaf against their box.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "math/bounds3.h"
 #include "scene/leaf.h"
@@ -34,6 +34,6 @@ using LeafCheck = LeafVerdict (*)(ShapeKind kind, const LeafRow* leaf, const Bou
                                   IdRange ids);
 
 // The same function for each instruction set that this processor has, best first; never empty.
-[[nodiscard]] const std::vector<LeafCheck>& leaf_checks();
+[[nodiscard]] std::span<const LeafCheck> leaf_checks();
 
 }  // namespace dapple

@@ -37,8 +37,9 @@ const std::vector<Rule>& rules() {
        "a library does not end the process"},
       {std::regex(R"(#\s*pragma\s+omp\b|<omp\.h>)"), {"src/parallel/"}, "OpenMP is in parallel/"},
       {std::regex(R"(<hwy/)"),
-       {"src/accel/kernels/", "src/scene_file/leaf_check"},
-       "Highway is in accel/kernels/"},
+       {"src/accel/kernels/", "src/render/kernels/", "src/math/simd-inl.h",
+        "src/scene_file/leaf_check"},
+       "Highway is in kernels/ and math/simd-inl.h"},
       {std::regex(R"(\bstd::(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|)"
                   R"(log2|log10|log1p|pow|cbrt|hypot|erf|tgamma)f?\s*\()"),
        {},

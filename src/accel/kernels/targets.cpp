@@ -25,11 +25,8 @@ constexpr const char* kIsa = "ssse3";
 constexpr const char* kIsa = "portable";
 #endif
 
-const KernelTable* table() {
-  static const KernelTable kTable = {kIsa, intersect_wide, occluded_wide, intersect_linear,
-                                     occluded_linear};
-  return &kTable;
-}
+constexpr KernelTable kTable = {kIsa, intersect_wide, occluded_wide, intersect_linear,
+                                occluded_linear};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace dapple
@@ -37,37 +34,47 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dapple {
-
-HWY_EXPORT(table);
-
 namespace {
+
+struct Level {
+  std::int64_t target;
+  const KernelTable* table;
+};
+
+// Best first. The last one runs everywhere.
+constexpr Level kLevels[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {HWY_AVX3, &N_AVX3::kTable},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {HWY_AVX2, &N_AVX2::kTable},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {HWY_SSE4, &N_SSE4::kTable},
+#endif
+#if HWY_TARGETS & HWY_SSSE3
+    {HWY_SSSE3, &N_SSSE3::kTable},
+#endif
+    {HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(kTable)},
+};
 
 // No container: its functions would be weak symbols of an object that holds AVX-512 code.
 struct TableList {
-  const KernelTable* tables[64] = {};
+  const KernelTable* tables[sizeof(kLevels) / sizeof(kLevels[0])] = {};
   std::size_t count = 0;
-};
 
-TableList list_tables() {
-  TableList list;
-  // Lower bits of a target are better instruction sets.
-  std::int64_t remaining = hwy::SupportedTargets() & HWY_TARGETS;
-  while (remaining != 0) {
-    const std::int64_t best = remaining & -remaining;
-    remaining &= remaining - 1;
-    hwy::SetSupportedTargetsForTest(best);
-    hwy::GetChosenTarget().Update(best);
-    list.tables[list.count++] = HWY_DYNAMIC_DISPATCH(table)();
+  TableList() {
+    const std::int64_t supported = hwy::SupportedTargets() | HWY_STATIC_TARGET;
+    for (const Level& level : kLevels) {
+      if ((supported & level.target) != 0) tables[count++] = level.table;
+    }
   }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  return list;
-}
+};
 
 }  // namespace
 
 std::span<const KernelTable* const> kernel_tables() {
-  static const TableList list = list_tables();
+  static const TableList list;
   return {list.tables, list.count};
 }
 
