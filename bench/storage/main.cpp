@@ -40,7 +40,7 @@ std::size_t raw_bytes(const SceneView& scene) {
   for (std::size_t k = 0; k < kRectangleKindCount; ++k) {
     bytes += scene.rectangles[k].size_bytes() + scene.rectangle_materials[k].size_bytes();
   }
-  return bytes + scene.bvh.nodes.size_bytes() + scene.bvh.leaf_words.size_bytes();
+  return bytes + scene.bvh.nodes.size_bytes() + scene.bvh.rows.size_bytes();
 }
 
 // A scene stored in a file, removed at the end.
