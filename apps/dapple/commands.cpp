@@ -38,7 +38,7 @@ Expected<int> run_command(const CommandInfo& command, const std::vector<std::str
   const auto arguments = read_arguments(command, words);
   if (!arguments) return tl::unexpected(with_hint(arguments.error(), command));
   if (arguments->given("help")) return print_page(help_page(command));
-  const auto result = command_function(last_word(command.name))(*arguments);
+  auto result = command_function(last_word(command.name))(*arguments);
   if (!result) return tl::unexpected(with_hint(result.error(), command));
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "accel/kernels/dispatch.h"
 #include "scene/prims.h"
+#include "util/float_mode.h"
 
 namespace dapple {
 
@@ -11,10 +12,12 @@ LinearAccel::LinearAccel(const SceneView& scene)
 }
 
 void LinearAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  const StandardFloatMode standard;
   kernels().intersect_linear({list_.leaves(), list_.rows()}, rays.data(), hits.data(), rays.size());
 }
 
 void LinearAccel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+  const StandardFloatMode standard;
   kernels().occluded_linear({list_.leaves(), list_.rows()}, rays.data(), occluded.data(),
                             rays.size());
 }

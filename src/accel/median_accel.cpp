@@ -4,6 +4,7 @@
 
 #include "accel/intersect_scalar.h"
 #include "parallel/tasks.h"
+#include "util/float_mode.h"
 
 namespace dapple {
 namespace {
@@ -76,6 +77,7 @@ bool MedianAccel::occludes(const PreparedRay& ray, std::size_t index) const {
 }
 
 void MedianAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  const StandardFloatMode standard;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const PreparedRay ray = prepare(rays[i]);
     Hit best{ray.t_max, kNoPrim, {}};
@@ -85,6 +87,7 @@ void MedianAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) cons
 }
 
 void MedianAccel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+  const StandardFloatMode standard;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     occluded[i] = !nodes_.empty() && occludes(prepare(rays[i]), 0) ? 1 : 0;
   }

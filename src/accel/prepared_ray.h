@@ -34,9 +34,9 @@ inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
   prepared.inverse_dot = 1.0f / squared;
   prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
   // Also false where one of them is not a number, which no search could end on.
-  const bool usable = (squared > 0.0f) & (squared <= std::numeric_limits<float>::max()) &
-                      (origin_size <= std::numeric_limits<float>::max()) &
-                      (ray.t_max >= prepared.t_min);
+  const bool usable = squared > 0.0f && squared <= std::numeric_limits<float>::max() &&
+                      origin_size <= std::numeric_limits<float>::max() &&
+                      ray.t_max >= prepared.t_min;
   prepared.t_max = usable ? ray.t_max : -1.0f;
 }
 

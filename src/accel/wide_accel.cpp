@@ -2,6 +2,7 @@
 
 #include "accel/kernels/dispatch.h"
 #include "accel/wide_stats.h"
+#include "util/float_mode.h"
 
 namespace dapple {
 
@@ -14,10 +15,12 @@ WideAccel::WideAccel(const SceneView& scene) : view_(scene.bvh), prim_count_(sce
 }
 
 void WideAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+  const StandardFloatMode standard;
   kernels().intersect_wide(view_, rays.data(), hits.data(), rays.size());
 }
 
 void WideAccel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
+  const StandardFloatMode standard;
   kernels().occluded_wide(view_, rays.data(), occluded.data(), rays.size());
 }
 

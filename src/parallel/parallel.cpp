@@ -5,6 +5,8 @@
 #include <atomic>
 #include <exception>
 
+#include "util/float_mode.h"
+
 namespace dapple {
 namespace {
 
@@ -39,6 +41,7 @@ void parallel_for_dynamic(std::size_t count, const std::function<void(std::size_
   for (std::size_t i = 0; i < count; ++i) {
     if (first.caught()) continue;
     try {
+      const StandardFloatMode standard;
       body(i);
     } catch (...) {
       first.keep();

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "util/float_mode.h"
+
 namespace dapple {
 
 void run_with_tasks(std::size_t work, const std::function<void()>& root) {
+  const StandardFloatMode standard;
   if (work < kTeamWork) return root();
   std::exception_ptr exception;
 #pragma omp parallel
@@ -33,6 +36,7 @@ void TaskGroup::run(std::function<void()> task) {
 #pragma omp task firstprivate(task)
   {
     try {
+      const StandardFloatMode standard;
       task();
     } catch (...) {
       keep_exception();

@@ -55,8 +55,9 @@ std::string describe_foreign_file(std::span<const std::byte> file) {
     return "it is of no kind that is known here";
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != text.npos && text[first] == '{') return "it looks like JSON (a glTF scene?)";
-  if (first != text.npos && text[first] == '<') return "it looks like XML or HTML";
+  if (first != std::string_view::npos && text[first] == '{')
+    return "it looks like JSON (a glTF scene?)";
+  if (first != std::string_view::npos && text[first] == '<') return "it looks like XML or HTML";
   return "it looks like text";
 }
 

@@ -4,6 +4,7 @@
 
 #include "accel/accel.h"
 #include "accel/kernels/dispatch.h"
+#include "math/random.h"
 #include "scene/named_scenes.h"
 #include "scene/validate.h"
 #include "tests/accel/scalar_oracle.h"
@@ -75,6 +76,18 @@ void expect_all_agree(const Scene& scene, const std::vector<Ray>& rays, const st
     }
   }
   ASSERT_TRUE(force_isa(available_isas().front()));
+}
+
+// Rays that go much the same way as the base ray, as those of a camera do: packets take these.
+std::vector<Ray> bundle(const Ray& base, std::size_t count, std::uint32_t seed) {
+  std::vector<Ray> rays(count, base);
+  const float spread = (seed % 2 == 0 ? 1e-3f : 5e-2f) * max_abs_component(base.direction);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto u = uniform4(i, seed, 0, 0, 17);
+    const Vec3f jitter(u[0] - 0.5f, u[1] - 0.5f, u[2] - 0.5f);
+    rays[i].direction = base.direction + spread * jitter;
+  }
+  return rays;
 }
 
 class Agreement : public ::testing::TestWithParam<std::size_t> {};
@@ -169,6 +182,20 @@ TEST(Streams, LengthAndOrderMakeNoDifference) {
       ASSERT_EQ(accel->intersect(rays[i]), whole.hits[i]);
       ASSERT_EQ(accel->occluded(rays[i]), whole.occluded[i] != 0);
     }
+  }
+}
+
+TEST(Bundles, AgreeOverNastyScenes) {
+  constexpr std::size_t kScenes = 60, kBundles = 24, kBundleSize = 96;
+  for (std::uint64_t seed = 1000; seed < 1000 + kScenes; ++seed) {
+    const NastyConfig config = nasty_config(seed);
+    const Scene scene = nasty_scene(config, seed);
+    std::vector<Ray> rays;
+    for (const Ray& base : nasty_rays(scene, config, kBundles, seed)) {
+      const auto of_base = bundle(base, kBundleSize, static_cast<std::uint32_t>(rays.size()));
+      rays.insert(rays.end(), of_base.begin(), of_base.end());
+    }
+    expect_all_agree(scene, rays, "bundles, scene of seed " + std::to_string(seed));
   }
 }
 

@@ -42,6 +42,7 @@ void redirect(int stream, const std::string& path) {
 // In the child: becomes the program, or ends with 127 as a shell's child would.
 [[noreturn]] void become(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   ::execv(program_path(command[0]).c_str(), arguments.data());
