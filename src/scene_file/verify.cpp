@@ -66,7 +66,8 @@ class FirstFault {
   struct Fault {
     std::uint64_t offset;
     std::string reason;
-    friend auto operator<=>(const Fault&, const Fault&) = default;
+    // clang-tidy takes the comparison with zero that the compiler writes for a null pointer.
+    friend auto operator<=>(const Fault&, const Fault&) = default;  // NOLINT(modernize-use-nullptr)
   };
   std::mutex mutex_;
   std::optional<Fault> fault_;
