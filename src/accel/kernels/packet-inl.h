@@ -1,8 +1,8 @@
 // Packets: rays that go the same way visit the tree together.
 //
-// A node is tested once for the whole packet, by intervals: the packet's origins lie in a box and
-// its inverse directions, which have the same signs, in another. Rounding is monotone, so the
-// interval computed from the ends of both contains what each ray would compute, to the bit: no
+// A node is tested once for the whole packet, by intervals [WaldBS07]: the packet's origins lie in
+// a box and its inverse directions, which have the same signs, in another. Rounding is monotone, so
+// the interval computed from the ends of both contains what each ray would compute, to the bit: no
 // child that a ray passes is left out. In a leaf the same test on the primitives' own boxes leaves
 // few of them, and each of those is tested against all rays at once.
 #include "accel/kernels/stack-inl.h"
