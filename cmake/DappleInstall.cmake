@@ -1,6 +1,5 @@
 # What `cmake --install` puts in place: programs with manual pages and completions, library,
 # headers, CMake package, pkg-config file.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(DAPPLE_PROGRAMS ray ray_bvh store_scene describe_scene dapple_command)
