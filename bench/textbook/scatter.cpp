@@ -38,6 +38,9 @@ std::optional<Scattered> scatter_from(const Dielectric& material, const HitRecor
       reflects ? reflect(unit, at.normal) : eta * unit + (eta * cos_in - cos_out) * at.normal;
   return Scattered{direction, {1, 1, 1}};
 }
+std::optional<Scattered> scatter_from(const Layered&, const HitRecord&, const Vec3d&, Random&) {
+  return std::nullopt;
+}
 
 }  // namespace
 

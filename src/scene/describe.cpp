@@ -42,6 +42,7 @@ struct PrintMaterial {
   void operator()(const Dielectric& m) const {
     out.print("    material=dielectric(ref_idx={:f})\n", m.ref_idx);
   }
+  void operator()(const Layered& m) const { out.print("    material=layered({})\n", m.index); }
 };
 
 void print_sphere(const Sphere& sphere, DescribeDetail detail, TextWriter& out) {

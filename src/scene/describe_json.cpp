@@ -55,6 +55,9 @@ struct PrintMaterial {
   void operator()(const Dielectric& m) const {
     out.print("{{\"type\":\"dielectric\",\"ref_idx\":{}}}", number(m.ref_idx));
   }
+  void operator()(const Layered& m) const {
+    out.print("{{\"type\":\"layered\",\"index\":{}}}", m.index);
+  }
 };
 
 void print_materials(const SceneView& scene, TextWriter& out) {

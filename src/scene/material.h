@@ -1,4 +1,4 @@
-// Surface materials of the classic scenes.
+// Surface materials: those of the classic scenes, and the layered one of models.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,13 @@ struct Dielectric {
   friend bool operator==(const Dielectric&, const Dielectric&) = default;
 };
 
+// Entry `index` of the scene's layered materials.
+struct Layered {
+  std::uint32_t index = 0;
+  friend bool operator==(const Layered&, const Layered&) = default;
+};
+
 // The order is that of the scene file's tags; new materials go at the end.
-using Material = std::variant<Lambertian, Metal, Dielectric>;
+using Material = std::variant<Lambertian, Metal, Dielectric, Layered>;
 
 }  // namespace dapple

@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/layered_material.h"
+#include "scene/light.h"
 #include "scene/material.h"
+#include "scene/mesh.h"
 #include "scene/shapes.h"
+#include "scene/texture.h"
 
 namespace dapple {
 
@@ -28,6 +32,22 @@ struct Scene {
   std::vector<MaterialId> sphere_materials;
   std::array<std::vector<Rectangle>, kRectangleKindCount> rectangles;
   std::array<std::vector<MaterialId>, kRectangleKindCount> rectangle_materials;
+
+  Vertices vertices;
+  std::vector<Triangle> triangles;
+  std::vector<MaterialId> triangle_materials;
+  std::vector<Cylinder> cylinders;
+  std::vector<MaterialId> cylinder_materials;
+  std::vector<Prototype> prototypes;
+  std::vector<Instance> instances;
+
+  std::vector<LayeredMaterial> layered_materials;
+  std::vector<Texture> textures;
+  std::vector<TextureImage> images;
+  std::vector<std::uint8_t> texels;  // of all images
+  std::vector<Light> lights;
+  Environment environment;
+  std::vector<NamedCamera> cameras;  // `camera` is the one in use
 
   MaterialId add_material(const Material& material);
   void add_sphere(const Sphere& sphere, MaterialId material);

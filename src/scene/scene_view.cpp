@@ -2,12 +2,36 @@
 
 namespace dapple {
 
+namespace {
+
+VertexView view_of(const Vertices& vertices) {
+  VertexView view{vertices.positions, vertices.normals, vertices.tangents, {}, vertices.colours};
+  for (std::size_t i = 0; i < kUvSetCount; ++i) view.uvs[i] = vertices.uvs[i];
+  return view;
+}
+
+}  // namespace
+
 SceneView::SceneView(const Scene& scene)
     : camera(scene.camera),
       materials(scene.materials),
       runs(scene.runs),
       spheres(scene.spheres),
-      sphere_materials(scene.sphere_materials) {
+      sphere_materials(scene.sphere_materials),
+      vertices(view_of(scene.vertices)),
+      triangles(scene.triangles),
+      triangle_materials(scene.triangle_materials),
+      cylinders(scene.cylinders),
+      cylinder_materials(scene.cylinder_materials),
+      prototypes(scene.prototypes),
+      instances(scene.instances),
+      layered_materials(scene.layered_materials),
+      textures(scene.textures),
+      images(scene.images),
+      texels(scene.texels),
+      lights(scene.lights),
+      environment(scene.environment),
+      cameras(scene.cameras) {
   for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
     rectangles[i] = scene.rectangles[i];
     rectangle_materials[i] = scene.rectangle_materials[i];

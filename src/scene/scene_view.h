@@ -23,6 +23,20 @@ struct SceneView {
   std::span<const MaterialId> sphere_materials;
   std::array<std::span<const Rectangle>, kRectangleKindCount> rectangles;
   std::array<std::span<const MaterialId>, kRectangleKindCount> rectangle_materials;
+  VertexView vertices;
+  std::span<const Triangle> triangles;
+  std::span<const MaterialId> triangle_materials;
+  std::span<const Cylinder> cylinders;
+  std::span<const MaterialId> cylinder_materials;
+  std::span<const Prototype> prototypes;
+  std::span<const Instance> instances;
+  std::span<const LayeredMaterial> layered_materials;
+  std::span<const Texture> textures;
+  std::span<const TextureImage> images;
+  std::span<const std::uint8_t> texels;
+  std::span<const Light> lights;
+  Environment environment;
+  std::span<const NamedCamera> cameras;
   WideBvhView bvh;  // finished BVH of exactly these shapes, or empty
 
   SceneView() = default;

@@ -69,7 +69,9 @@ Status validate(const Camera& camera) {
 Status validate(const Material& material) {
   const bool finite = std::visit(
       [](const auto& m) {
-        if constexpr (requires { m.ref_idx; }) {
+        if constexpr (requires { m.index; }) {
+          return true;
+        } else if constexpr (requires { m.ref_idx; }) {
           return std::isfinite(m.ref_idx);
         } else if constexpr (requires { m.fuzz; }) {
           return is_finite(m.albedo) && std::isfinite(m.fuzz);

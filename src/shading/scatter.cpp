@@ -39,6 +39,10 @@ std::optional<Scattered> scatter(const Dielectric& material, const Encounter& at
   if (u[0] < schlick_reflectance(cos_in_thinner, ref_idx)) return Scattered{reflected, white};
   return Scattered{eta * at.direction + (eta * cos_in - cos_out) * at.normal, white};
 }
+// Belongs to another transport than this one.
+std::optional<Scattered> scatter(const Layered&, const Encounter&, const std::array<float, 4>&) {
+  return std::nullopt;
+}
 
 }  // namespace
 

@@ -47,6 +47,8 @@ Scattering scatter_from(const Dielectric& m, const Surface& at, ReferenceRandom&
   return ReferenceScattering{ratio * along - std::cos(refraction) * at.normal, white};
 }
 
+Scattering scatter_from(const Layered&, const Surface&, ReferenceRandom&) { return std::nullopt; }
+
 }  // namespace
 
 double random_number(ReferenceRandom& random) {
