@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "scene/scene_view.h"
 #include "scene_file/mapped_scene.h"
@@ -17,6 +18,9 @@ class SceneSource {
   // the file. What is neither is an error that lists the names. The options are for files.
   [[nodiscard]] static Expected<SceneSource> open(const std::string& name_or_path,
                                                   const VerifyOptions& options = {});
+
+  // A scene that somebody else has made, already found valid.
+  [[nodiscard]] static SceneSource of(Scene scene) { return SceneSource(std::move(scene)); }
 
   // True when open() would look for a file.
   [[nodiscard]] static bool is_path(const std::string& name_or_path);
