@@ -76,28 +76,36 @@ half half_from_float(float value) {
   return half(value);
 }
 
-std::vector<half> halves(const Image& image) {
-  std::vector<half> values;
-  values.reserve(image.pixels.size() * 3);
-  for (const Vec3f& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel) values.push_back(half_from_float(pixel[channel]));
-  }
-  return values;
+std::vector<half> halves(const float* values, std::size_t count) {
+  std::vector<half> result(count);
+  std::transform(values, values + count, result.begin(), half_from_float);
+  return result;
 }
 
-void write_exr(const Image& image, Imf::PixelType type, const void* values, Bytes& bytes) {
+// Colours, three values a pixel, and alpha, one a pixel or null.
+struct Planes {
+  Imf::PixelType type;
+  const void* colours;
+  const void* alpha;
+};
+
+void write_exr(const Image& image, const Planes& planes, Bytes& bytes) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709 is the default
-  const std::size_t value_size = type == Imf::HALF ? sizeof(half) : sizeof(float);
+  const std::size_t value_size = planes.type == Imf::HALF ? sizeof(half) : sizeof(float);
+  const auto width = static_cast<std::size_t>(image.width);
   Imf::FrameBuffer frame;
-  for (std::size_t c = 0; c < 3; ++c) {
-    header.channels().insert(kChannels[c], Imf::Channel(type));
-    auto* base = static_cast<char*>(const_cast<void*>(values)) + c * value_size;
-    frame.insert(kChannels[c],
-                 Imf::Slice::Make(type, base, header.dataWindow(), 3 * value_size,
-                                  3 * value_size * static_cast<std::size_t>(image.width)));
-  }
+  const auto add = [&](const char* name, const void* values, std::size_t channel,
+                       std::size_t channel_count) {
+    header.channels().insert(name, Imf::Channel(planes.type));
+    const std::size_t stride = channel_count * value_size;
+    auto* base = static_cast<char*>(const_cast<void*>(values)) + channel * value_size;
+    frame.insert(name,
+                 Imf::Slice::Make(planes.type, base, header.dataWindow(), stride, stride * width));
+  };
+  for (std::size_t c = 0; c < 3; ++c) add(kChannels[c], planes.colours, c, 3);
+  if (planes.alpha != nullptr) add("A", planes.alpha, 0, 1);
   MemoryOutput stream(bytes);
   Imf::OutputFile file(stream, header, /*numThreads=*/0);
   file.setFrameBuffer(frame);
@@ -229,10 +237,14 @@ Expected<Image> read_exr(std::span<const std::byte> bytes, const ImageReadOption
 
 Expected<Bytes> encode_exr(const Image& image, const ImageWriteOptions& options) try {
   Bytes bytes;
+  const bool opaque = image.alpha.empty();
   if (options.exr_float) {
-    write_exr(image, Imf::FLOAT, image.pixels.data(), bytes);
+    const float* alpha = opaque ? nullptr : image.alpha.data();
+    write_exr(image, {Imf::FLOAT, image.pixels.data(), alpha}, bytes);
   } else {
-    write_exr(image, Imf::HALF, halves(image).data(), bytes);
+    const auto colours = halves(&image.pixels.data()->x, 3 * image.pixels.size());
+    const auto alpha = halves(image.alpha.data(), image.alpha.size());
+    write_exr(image, {Imf::HALF, colours.data(), opaque ? nullptr : alpha.data()}, bytes);
   }
   return bytes;
 } catch (const Iex::BaseExc& error) {

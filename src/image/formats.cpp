@@ -74,6 +74,9 @@ Status check_writable(const Image& image) {
                 fmt::format("a picture of {} x {} pixels with {} values cannot be written",
                             image.width, image.height, image.pixels.size()));
   }
+  if (!image.alpha.empty() && image.alpha.size() != count) {
+    return fail(Errc::internal, "", "a picture's alpha is not as large as its colours");
+  }
   return {};
 }
 

@@ -1,4 +1,4 @@
-// A picture in memory: linear RGB, single precision, top row first.
+// A picture in memory: linear RGB, single precision, top row first; alpha where there is any.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@ namespace dapple {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<Vec3f> pixels;  // width * height
+  std::vector<Vec3f> pixels;  // width * height; already multiplied by alpha
+  std::vector<float> alpha;   // as long, or empty: opaque
 
   Image() = default;
   Image(int width_, int height_)

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <new>
 
 #include "image/png.h"
@@ -16,7 +17,8 @@ struct Writer : PngSession {
   Writer(const Image& image_, const ImageWriteOptions& options_)
       : image(image_),
         options(options_),
-        row(static_cast<std::size_t>(image_.width) * 3 * (options_.png_bits == 16 ? 2 : 1)) {
+        row(static_cast<std::size_t>(image_.width) * (image_.alpha.empty() ? 3 : 4) *
+            (options_.png_bits == 16 ? 2 : 1)) {
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<PngSession*>(this),
                                   png_report_error, png_ignore_warning);
     if (png != nullptr) info = png_create_info_struct(png);
@@ -43,21 +45,37 @@ void take_bytes(png_structp png, png_bytep data, std::size_t size) {
 
 void flush_nothing(png_structp) {}
 
-// Big-endian samples.
+// Big-endian.
+std::byte* put_sample(std::uint32_t sample, int bits, std::byte* out) {
+  if (bits == 16) *out++ = static_cast<std::byte>(sample >> 8);
+  *out++ = static_cast<std::byte>(sample);
+  return out;
+}
+
+// Colours in PNG files are not multiplied by alpha.
+Vec3f plain_colour(const Image& image, int x, int y) {
+  const Vec3f& pixel = image.at(x, y);
+  if (image.alpha.empty()) return pixel;
+  const float alpha = image.alpha[image.index(x, y)];
+  return alpha > 0.0f ? pixel / alpha : Vec3f();
+}
+
+std::uint32_t encode_alpha(float alpha, std::uint32_t max) {
+  return static_cast<std::uint32_t>(std::clamp(alpha, 0.0f, 1.0f) * static_cast<float>(max) + 0.5f);
+}
+
 void fill_row(Writer& writer, int y) {
+  const Image& image = writer.image;
+  const int bits = writer.options.png_bits;
+  const std::uint32_t max = bits == 16 ? 65535 : 255;
   std::byte* out = writer.row.data();
-  for (int x = 0; x < writer.image.width; ++x) {
-    const Vec3f& pixel = writer.image.at(x, y);
+  for (int x = 0; x < image.width; ++x) {
+    const Vec3f colour = plain_colour(image, x, y);
     for (int channel = 0; channel < 3; ++channel) {
-      const Transfer transfer = writer.options.transfer;
-      if (writer.options.png_bits == 16) {
-        const std::uint32_t sample = encode_integer(pixel[channel], transfer, 65535);
-        *out++ = static_cast<std::byte>(sample >> 8);
-        *out++ = static_cast<std::byte>(sample);
-      } else {
-        *out++ = static_cast<std::byte>(encode_integer(pixel[channel], transfer, 255));
-      }
+      out = put_sample(encode_integer(colour[channel], writer.options.transfer, max), bits, out);
     }
+    if (image.alpha.empty()) continue;
+    out = put_sample(encode_alpha(image.alpha[image.index(x, y)], max), bits, out);
   }
 }
 
@@ -71,8 +89,8 @@ void write_all(Writer& writer) {
   png_set_compression_level(png, kCompressionLevel);
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(writer.image.width),
                static_cast<png_uint_32>(writer.image.height), writer.options.png_bits,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
+               writer.image.alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (writer.options.transfer == Transfer::srgb) {
     png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
   } else {

@@ -4,10 +4,17 @@
 #include "math/warps.h"
 
 namespace dapple {
+namespace {
+
+double focus_plane_height(const Camera& camera) {
+  if (camera.orthographic_height > 0) return camera.orthographic_height;
+  const SinCos<double> half_fov = sin_cos_turns(camera.vertical_fov / 720.0);
+  return 2.0 * (half_fov.sin / half_fov.cos) * camera.focus_distance;
+}
+
+}  // namespace
 
 Expected<CameraRays> CameraRays::create(const Camera& camera, const RenderSettings& settings) {
-  const SinCos<double> half_fov = sin_cos_turns(camera.vertical_fov / 720.0);
-  const double half_height = half_fov.sin / half_fov.cos;
   const Vec3d backward = camera.look_from - camera.look_at;
   const Vec3d sideways = cross(camera.up, backward);
   if (!(length(backward) > 0) || !(length(sideways) > 0)) {
@@ -16,7 +23,7 @@ Expected<CameraRays> CameraRays::create(const Camera& camera, const RenderSettin
   const Vec3d w = normalize(backward);
   const Vec3d u = normalize(sideways);
   const Vec3d v = cross(w, u);
-  const double pixel = 2.0 * half_height * camera.focus_distance / settings.height;
+  const double pixel = focus_plane_height(camera) / settings.height;
   const double lens_radius = camera.aperture / 2;
 
   CameraRays rays;
@@ -27,6 +34,8 @@ Expected<CameraRays> CameraRays::create(const Camera& camera, const RenderSettin
   rays.frame_.per_row = Vec3f(-pixel * v);
   rays.frame_.lens_u = Vec3f(lens_radius * u);
   rays.frame_.lens_v = Vec3f(lens_radius * v);
+  rays.frame_.forward = Vec3f(-camera.focus_distance * w);
+  rays.frame_.orthographic = camera.orthographic_height > 0;
   return rays;
 }
 
@@ -36,8 +45,13 @@ Ray CameraRays::generate(int x, int y, const std::array<float, 4>& u) const {
   const float column = static_cast<float>(x) + u[0];
   const float row = static_cast<float>(y) + u[1];
   Ray ray;
+  const Vec3f target = frame_.corner + column * frame_.per_column + row * frame_.per_row;
   ray.origin = frame_.origin + offset;
-  ray.direction = frame_.corner + column * frame_.per_column + row * frame_.per_row - offset;
+  ray.direction = target - offset;
+  if (frame_.orthographic) {
+    ray.origin = ray.origin + (target - frame_.forward);
+    ray.direction = frame_.forward - offset;
+  }
   ray.t_min = kRayTMin;
   return ray;
 }

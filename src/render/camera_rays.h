@@ -1,4 +1,4 @@
-// Rays of a thin-lens camera.
+// Rays of a thin-lens camera, in perspective or parallel.
 #pragma once
 
 #include <array>
@@ -17,6 +17,8 @@ struct CameraFrame {
   Vec3f per_column;  // one pixel to the right
   Vec3f per_row;     // one pixel down
   Vec3f lens_u, lens_v;
+  Vec3f forward;              // from the origin to the centre of the focus plane
+  bool orthographic = false;  // rays are parallel to `forward`
 };
 
 class CameraRays {
@@ -26,7 +28,8 @@ class CameraRays {
                                                    const RenderSettings& settings);
 
   // The ray through point (u[0], u[1]) of pixel (x, y), row 0 at the top, from the point of the
-  // lens that u[2] and u[3] choose. Its direction reaches the focus plane at t = 1.
+  // lens that u[2] and u[3] choose. Its direction reaches the focus plane at t = 1. A point outside
+  // [0, 1) lies in a neighbouring pixel.
   Ray generate(int x, int y, const std::array<float, 4>& u) const;
   const CameraFrame& frame() const { return frame_; }
 
