@@ -141,7 +141,7 @@ Status Scene::add_sphere(const Point& centre, double radius, MaterialId material
 Status Scene::add_rectangle(Shape shape, const Rectangle& r, MaterialId material) noexcept {
   return guarded([&]() -> Status {
     const auto kind = static_cast<std::size_t>(shape);
-    if (kind < 1 || kind >= kShapeKindCount) {
+    if (kind >= kShapeKindCount || !is_rectangle(static_cast<ShapeKind>(kind))) {
       return to_error(lib::Errc::bad_data, "rectangle: not a kind of rectangle");
     }
     const lib::Rectangle rectangle{r.u0, r.u1, r.v0, r.v1, r.k};

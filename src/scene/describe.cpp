@@ -23,6 +23,8 @@ void print_counts(const SceneView& scene, TextWriter& out) {
   out.print("counts\n    objects={}\n", scene.object_count());
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
+    // Scenes of spheres and rectangles are described as they always were.
+    if (k > kRectangleKindCount && scene.count(kind) == 0) continue;
     out.print("    {}={}\n", shape_name(kind), scene.count(kind));
   }
   out.print("    materials={}\n    bvh_nodes={}\n", scene.materials.size(), scene.bvh.nodes.size());
@@ -70,9 +72,10 @@ Status describe(const SceneView& scene, DescribeDetail detail, const TextSink& s
     out.print("{}\n", shape_name(kind));
     if (kind == ShapeKind::sphere) {
       print_sphere(scene.spheres[index], detail, out);
-    } else {
+    } else if (is_rectangle(kind)) {
       print_rectangle(kind, scene.rectangles[rectangle_index(kind)][index], out);
     }
+    if (kind == ShapeKind::instance) return;
     const MaterialId material = scene.materials_of(kind)[index];
     std::visit(PrintMaterial{out}, scene.materials[index_of(material)]);
   });

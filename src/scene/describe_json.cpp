@@ -92,10 +92,15 @@ void print_objects(const SceneView& scene, TextWriter& out) {
     out.print("{}{{\"type\":\"{}\",", separator, shape_name(kind));
     if (kind == ShapeKind::sphere) {
       print_sphere(scene.spheres[index], out);
-    } else {
+    } else if (is_rectangle(kind)) {
       print_rectangle(kind, scene.rectangles[rectangle_index(kind)][index], out);
     }
-    out.print(",\"material\":{}}}", index_of(scene.materials_of(kind)[index]));
+    if (kind == ShapeKind::instance) {
+      out.print("\"prototype\":{}}}", scene.instances[index].prototype);
+    } else {
+      out.print("{}\"material\":{}}}", kind > ShapeKind::yz_rectangle ? "" : ",",
+                index_of(scene.materials_of(kind)[index]));
+    }
     separator = ",\n";
   });
   out.print("]");

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/camera.h"
@@ -52,6 +53,12 @@ struct Scene {
   MaterialId add_material(const Material& material);
   void add_sphere(const Sphere& sphere, MaterialId material);
   void add_rectangle(ShapeKind kind, const Rectangle& rectangle, MaterialId material);
+  // A triangle of `vertices` that stands in the world; no more of them once there is a prototype.
+  void add_triangle(const Triangle& triangle, MaterialId material);
+  void add_cylinder(const Cylinder& cylinder, MaterialId material);
+  // Returns its index. `ids` are the materials of the triangles.
+  std::uint32_t add_prototype(std::span<const Triangle> of, std::span<const MaterialId> ids);
+  void add_instance(const Instance& instance);
 
   friend bool operator==(const Scene&, const Scene&) = default;
 

@@ -39,17 +39,31 @@ SceneView::SceneView(const Scene& scene)
 }
 
 std::size_t SceneView::object_count() const {
-  std::size_t total = spheres.size();
-  for (const auto& of_kind : rectangles) total += of_kind.size();
+  std::size_t total = 0;
+  for (std::size_t k = 0; k < kShapeKindCount; ++k)
+    total += object_count(static_cast<ShapeKind>(k));
   return total;
 }
 
+std::size_t SceneView::object_count(ShapeKind kind) const {
+  if (kind == ShapeKind::triangle && !prototypes.empty()) return prototypes[0].first_triangle;
+  return count(kind);
+}
+
 std::size_t SceneView::count(ShapeKind kind) const {
-  return kind == ShapeKind::sphere ? spheres.size() : rectangles[rectangle_index(kind)].size();
+  if (is_rectangle(kind)) return rectangles[rectangle_index(kind)].size();
+  if (kind == ShapeKind::triangle) return triangles.size();
+  if (kind == ShapeKind::cylinder) return cylinders.size();
+  if (kind == ShapeKind::instance) return instances.size();
+  return spheres.size();
 }
 
 std::span<const MaterialId> SceneView::materials_of(ShapeKind kind) const {
-  return kind == ShapeKind::sphere ? sphere_materials : rectangle_materials[rectangle_index(kind)];
+  if (is_rectangle(kind)) return rectangle_materials[rectangle_index(kind)];
+  if (kind == ShapeKind::triangle) return triangle_materials;
+  if (kind == ShapeKind::cylinder) return cylinder_materials;
+  if (kind == ShapeKind::instance) return {};
+  return sphere_materials;
 }
 
 std::array<std::size_t, kShapeKindCount> first_prim_ids(const SceneView& scene) {

@@ -11,7 +11,8 @@
 namespace dapple {
 
 // Index of a primitive in the concatenation of the shape arrays in the order of ShapeKind. At
-// equal distance along a ray the primitive with the lower id is the one that is hit.
+// equal distance along a ray the primitive with the lower id is the one that is hit; what is seen
+// through an instance counts as the instance there.
 using PrimId = std::uint32_t;
 inline constexpr PrimId kNoPrim = 0xffffffffu;
 
@@ -42,8 +43,12 @@ struct SceneView {
   SceneView() = default;
   SceneView(const Scene& scene);  // implicit: a Scene can be passed wherever a view is read
 
+  // What stands in the world itself: all shapes but the triangles of prototypes.
   std::size_t object_count() const;
+  std::size_t object_count(ShapeKind kind) const;
+  // All shapes of a kind: as many as it has ids.
   std::size_t count(ShapeKind kind) const;
+  // As many as there are shapes; none for instances, whose triangles have their own.
   std::span<const MaterialId> materials_of(ShapeKind kind) const;
 };
 

@@ -11,8 +11,16 @@
 namespace dapple {
 
 // The order is that of primitive ids and of the scene file; new kinds go at the end.
-enum class ShapeKind : std::uint32_t { sphere, xy_rectangle, xz_rectangle, yz_rectangle };
-inline constexpr std::size_t kShapeKindCount = 4;
+enum class ShapeKind : std::uint32_t {
+  sphere,
+  xy_rectangle,
+  xz_rectangle,
+  yz_rectangle,
+  triangle,
+  cylinder,
+  instance,
+};
+inline constexpr std::size_t kShapeKindCount = 7;
 inline constexpr std::size_t kRectangleKindCount = 3;
 
 // A negative radius turns the sphere inside out: its outward normal points at the centre.
@@ -40,6 +48,10 @@ constexpr RectangleAxes rectangle_axes(ShapeKind kind) {
   return {1, 2, 0};
 }
 
+constexpr bool is_rectangle(ShapeKind kind) {
+  return kind >= ShapeKind::xy_rectangle && kind <= ShapeKind::yz_rectangle;
+}
+
 // Index of a rectangle kind among the rectangle kinds, and back.
 constexpr std::size_t rectangle_index(ShapeKind kind) {
   return static_cast<std::size_t>(kind) - static_cast<std::size_t>(ShapeKind::xy_rectangle);
@@ -49,7 +61,7 @@ constexpr ShapeKind rectangle_kind(std::size_t index) {
 }
 
 inline constexpr std::array<std::string_view, kShapeKindCount> kShapeNames = {
-    "sphere", "xy_rectangle", "xz_rectangle", "yz_rectangle"};
+    "sphere", "xy_rectangle", "xz_rectangle", "yz_rectangle", "triangle", "cylinder", "instance"};
 
 constexpr std::string_view shape_name(ShapeKind kind) {
   return kShapeNames[static_cast<std::size_t>(kind)];

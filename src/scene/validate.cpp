@@ -15,8 +15,8 @@ bool is_point(const Vec3d& p) {
 }
 
 bool shape_is_valid(const SceneView& scene, ShapeKind kind, std::size_t index) {
-  return kind == ShapeKind::sphere ? is_valid(scene.spheres[index])
-                                   : is_valid(scene.rectangles[rectangle_index(kind)][index]);
+  if (kind == ShapeKind::sphere) return is_valid(scene.spheres[index]);
+  return !is_rectangle(kind) || is_valid(scene.rectangles[rectangle_index(kind)][index]);
 }
 
 std::string object_place(std::size_t number) { return fmt::format("object {}", number); }
@@ -27,7 +27,8 @@ Status check_objects(const SceneView& scene) {
   for_each_object(scene, [&](ShapeKind kind, std::size_t index) {
     if (!status) return;
     const std::size_t number = position++;
-    if (index_of(scene.materials_of(kind)[index]) >= scene.materials.size()) {
+    if (kind != ShapeKind::instance &&
+        index_of(scene.materials_of(kind)[index]) >= scene.materials.size()) {
       status = fail(Errc::bad_data, object_place(number), "its material does not exist");
     } else if (!shape_is_valid(scene, kind, index)) {
       status = fail(Errc::bad_data, object_place(number),
@@ -98,8 +99,10 @@ Status validate_counts(const SceneView& scene) {
   }
   for (std::size_t kind = 0; kind < kShapeKindCount; ++kind) {
     const auto shape_kind = static_cast<ShapeKind>(kind);
-    if (in_runs[kind] != scene.count(shape_kind) ||
-        scene.materials_of(shape_kind).size() != scene.count(shape_kind)) {
+    const std::size_t material_count =
+        shape_kind == ShapeKind::instance ? 0 : scene.count(shape_kind);
+    if (in_runs[kind] != scene.object_count(shape_kind) ||
+        scene.materials_of(shape_kind).size() != material_count) {
       return fail(Errc::bad_data, "objects",
                   fmt::format("the counts of {} objects disagree", shape_name(shape_kind)));
     }

@@ -167,7 +167,7 @@ Scene random_scene(RandomNumbers& random) {
   scene.add_material(Dielectric{random()});
   for (std::uint64_t i = random.below(20); i > 0; --i) {
     const auto material = static_cast<MaterialId>(random.below(3));
-    const auto kind = static_cast<ShapeKind>(random.below(kShapeKindCount));
+    const auto kind = static_cast<ShapeKind>(random.below(1 + kRectangleKindCount));
     if (kind == ShapeKind::sphere) {
       scene.add_sphere({random.vector(), random()}, material);
     } else {

@@ -101,7 +101,7 @@ Scene random_scene(std::mt19937_64& random, int object_count, int material_count
     const Vec3d at = {around(random), around(random), around(random)};
     const double r = size(random);
     const MaterialId material = materials[random() % materials.size()];
-    const auto kind = static_cast<ShapeKind>(random() % kShapeKindCount);
+    const auto kind = static_cast<ShapeKind>(random() % (1 + kRectangleKindCount));
     if (kind == ShapeKind::sphere) {
       scene.add_sphere({at, random() % 4 == 0 ? -r : r}, material);
     } else {

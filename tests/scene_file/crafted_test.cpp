@@ -284,7 +284,7 @@ TEST(Crafted, RunsThatDisagreeWithTheCounts) {
   expect_runs_refused([](RunRecord& r) { r.count = 0; }, "disagree");
   expect_runs_refused([](RunRecord& r) { r.count = ~std::uint64_t{0}; }, "more than");
   expect_runs_refused([](RunRecord& r) { r.kind = 1; }, "disagree");
-  expect_runs_refused([](RunRecord& r) { r.kind = 4; }, "unknown object type");
+  expect_runs_refused([](RunRecord& r) { r.kind = kShapeKindCount; }, "unknown object type");
   expect_runs_refused([](RunRecord& r) { r.reserved = 1; }, "reserved");
 }
 

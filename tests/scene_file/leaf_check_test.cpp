@@ -24,7 +24,7 @@ struct RandomLeaf {
 RandomLeaf random_leaf(std::uint32_t seed) {
   RandomLeaf leaf;
   const auto pick = philox4x32({seed, 0, 0, 1}, 7);
-  leaf.kind = static_cast<ShapeKind>(pick[0] % kShapeKindCount);
+  leaf.kind = static_cast<ShapeKind>(pick[0] % (1 + kRectangleKindCount));
   leaf.count = 1 + pick[1] % kLeafWidth;
   clear_leaf(leaf.kind, leaf.rows.data());
   for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {

@@ -69,7 +69,7 @@ Scene random_scene(std::uint64_t seed, std::size_t object_count) {
   for (std::uint32_t i = 0; i < material_count; ++i) scene.add_material(random_material(numbers));
   for (std::size_t i = 0; i < object_count; ++i) {
     const auto material = static_cast<MaterialId>(numbers.below(material_count));
-    const auto kind = static_cast<ShapeKind>(numbers.below(kShapeKindCount));
+    const auto kind = static_cast<ShapeKind>(numbers.below(1 + kRectangleKindCount));
     if (kind == ShapeKind::sphere) {
       scene.add_sphere({numbers.point(), numbers.coordinate()}, material);
     } else {
