@@ -1,0 +1,88 @@
+#include "shading/material_evaluator.h"
+
+#include <algorithm>
+
+#include "math/fast_functions.h"
+#include "shading/bsdf_builder.h"
+
+namespace dapple {
+
+MaterialEvaluator::MaterialEvaluator(const SceneView& scene, const TextureSet& textures)
+    : scene_(scene), textures_(textures) {}
+
+const LayeredMaterial* MaterialEvaluator::layered(MaterialId material) const {
+  const auto* reference = std::get_if<Layered>(&scene_.materials[index_of(material)]);
+  return reference == nullptr ? nullptr : &scene_.layered_materials[reference->index];
+}
+
+Bsdf MaterialEvaluator::make_bsdf(MaterialId material, const SurfaceInteraction& at,
+                                  const Vec3f& wo, DispersionChannel) const {
+  BsdfBuilder builder(at, wo);
+  if (const LayeredMaterial* m = layered(material)) {
+    const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
+    const Vec4f mr =
+        textures_.lookup(m->map(MapUse::metallic_roughness), MapUse::metallic_roughness, at);
+    builder.metallic_roughness(m->base_colour * base.xyz() * at.colour.xyz(), m->metallic * mr.z,
+                               m->roughness * mr.y);
+  } else {
+    builder.classic(scene_.materials[index_of(material)]);
+  }
+  return builder.build();
+}
+
+float MaterialEvaluator::opacity(MaterialId material, const SurfaceInteraction& at) const {
+  const LayeredMaterial* m = layered(material);
+  if (m == nullptr || m->alpha_mode == AlphaMode::opaque) return 1;
+  const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
+  const float alpha = m->alpha * base.w * at.colour.w;
+  if (m->alpha_mode == AlphaMode::mask) return alpha >= m->alpha_cutoff ? 1.0f : 0.0f;
+  return std::clamp(alpha, 0.0f, 1.0f);
+}
+
+bool MaterialEvaluator::may_be_transparent(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m != nullptr && m->alpha_mode != AlphaMode::opaque;
+}
+
+Vec3f MaterialEvaluator::emission(MaterialId material, const SurfaceInteraction& at) const {
+  const LayeredMaterial* m = layered(material);
+  if (m == nullptr) return {};
+  return m->emission * textures_.lookup(m->map(MapUse::emissive), MapUse::emissive, at).xyz();
+}
+
+bool MaterialEvaluator::is_emissive(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m != nullptr && (m->emission.x > 0 || m->emission.y > 0 || m->emission.z > 0);
+}
+
+bool MaterialEvaluator::is_unlit(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m != nullptr && m->unlit != 0;
+}
+
+Vec3f MaterialEvaluator::unlit_colour(MaterialId material, const SurfaceInteraction& at) const {
+  const LayeredMaterial* m = layered(material);
+  if (m == nullptr) return {};
+  const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
+  return m->base_colour * base.xyz() * at.colour.xyz();
+}
+
+bool MaterialEvaluator::has_interior(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m != nullptr && m->thickness > 0 && (m->transmission > 0 || m->diffuse_transmission > 0);
+}
+
+Medium MaterialEvaluator::interior(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  if (m == nullptr || !has_interior(material)) return {};
+  Medium medium{{}, m->scattering, m->scattering_anisotropy};
+  if (!(m->attenuation_distance < 1e30f)) return medium;
+  const auto absorption = [&](float left) {
+    return -fast_log(std::clamp(left, 1e-6f, 1.0f)) / std::max(m->attenuation_distance, 1e-9f);
+  };
+  const Vec3f& c = m->attenuation_colour;
+  medium.absorption = {absorption(c.x), absorption(c.y), absorption(c.z)};
+  return medium;
+}
+
+}  // namespace dapple

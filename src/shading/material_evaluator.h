@@ -1,0 +1,50 @@
+// From a material and a point of a surface to its reflectance, opacity, emission and inside.
+#pragma once
+
+#include "scene/scene_view.h"
+#include "shading/bsdf.h"
+#include "shading/medium.h"
+#include "shading/surface_interaction.h"
+#include "shading/texture_set.h"
+
+namespace dapple {
+
+// Which colour channel's index of refraction a path follows through dispersive surfaces.
+struct DispersionChannel {
+  int channel = 0;     // 0 to 2, uniformly random per path
+  bool alone = false;  // the path carries no other (BsdfSample::one_channel)
+};
+
+// The scene and the textures must outlive this. All calls may come from many threads.
+class MaterialEvaluator {
+ public:
+  MaterialEvaluator(const SceneView& scene, const TextureSet& textures);
+
+  // `wo` is unit and points back along the path.
+  Bsdf make_bsdf(MaterialId material, const SurfaceInteraction& at, const Vec3f& wo,
+                 DispersionChannel dispersion = {}) const;
+
+  // The part of a path that meets the surface: below 1 it goes straight through with the rest.
+  float opacity(MaterialId material, const SurfaceInteraction& at) const;
+  bool may_be_transparent(MaterialId material) const;  // false: opacity is always 1
+
+  // Radiance, the same from both sides and in every direction.
+  Vec3f emission(MaterialId material, const SurfaceInteraction& at) const;
+  bool is_emissive(MaterialId material) const;
+
+  // Shows its base colour whatever the light: the path ends here with unlit_colour() as radiance.
+  bool is_unlit(MaterialId material) const;
+  Vec3f unlit_colour(MaterialId material, const SurfaceInteraction& at) const;
+
+  // The medium that a transmitted path enters on the side the geometric normal points away from.
+  bool has_interior(MaterialId material) const;
+  Medium interior(MaterialId material) const;
+
+ private:
+  const LayeredMaterial* layered(MaterialId material) const;
+
+  SceneView scene_;
+  const TextureSet& textures_;
+};
+
+}  // namespace dapple
