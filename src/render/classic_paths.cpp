@@ -1,7 +1,5 @@
 #include "render/classic_paths.h"
 
-#include <utility>
-
 namespace dapple {
 
 Vec3f sky(const Vec3f& direction) {
@@ -9,19 +7,10 @@ Vec3f sky(const Vec3f& direction) {
   return (1.0f - t) * Vec3f(1, 1, 1) + t * Vec3f(0.5f, 0.7f, 1.0f);
 }
 
-void ClassicPaths::render(SampleRange samples, TileSums& sums) const {
-  std::unique_ptr<PathBatch> batch;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!idle_.empty()) {
-      batch = std::move(idle_.back());
-      idle_.pop_back();
-    }
-  }
-  if (batch == nullptr) batch = std::make_unique<PathBatch>();
-  render(samples, sums, *batch);
-  const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(batch));
+void ClassicPaths::render(SampleRange samples, TileOutput& output) const {
+  auto batch = batches_.take();
+  render(samples, output.colour, *batch);
+  batches_.give_back(std::move(batch));
 }
 
 void ClassicPaths::render(SampleRange samples, TileSums& sums, PathBatch& batch) const {

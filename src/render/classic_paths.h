@@ -4,12 +4,9 @@
 // one stream for the acceleration structure and for the kernels between traversals.
 #pragma once
 
-#include <memory>
-#include <mutex>
-#include <vector>
-
 #include "render/camera_rays.h"
-#include "render/film.h"
+#include "render/idle_pool.h"
+#include "render/integrator.h"
 #include "render/path_batch.h"
 #include "render/prepared_scene.h"
 #include "render/settings.h"
@@ -24,14 +21,12 @@ constexpr std::uint32_t scattering_dimension(int scatterings) {
 // The sky that a ray of direction d sees: white below, blue above.
 [[nodiscard]] Vec3f sky(const Vec3f& direction);
 
-class ClassicPaths {
+class ClassicPaths : public Integrator {
  public:
   ClassicPaths(const PreparedScene& scene, const CameraRays& camera, const RenderSettings& settings)
       : scene_(scene), camera_(camera), settings_(settings) {}
 
-  // Adds the samples of the range to every pixel of the sums' tile. May be called from many
-  // threads at once.
-  void render(SampleRange samples, TileSums& sums) const;
+  void render(SampleRange samples, TileOutput& output) const override;
 
  private:
   void render(SampleRange samples, TileSums& sums, PathBatch& batch) const;
@@ -39,8 +34,7 @@ class ClassicPaths {
   const PreparedScene& scene_;
   const CameraRays& camera_;
   const RenderSettings& settings_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<PathBatch>> idle_;  // memory that no thread uses now
+  mutable IdlePool<PathBatch> batches_;
 };
 
 }  // namespace dapple

@@ -8,7 +8,8 @@ PreparedScene::PreparedScene(const SceneView& scene, std::unique_ptr<Accel> acce
     : scene_(scene),
       first_ids_(first_prim_ids(scene)),
       accel_(std::move(accel)),
-      materials_(material_records(scene.materials)) {}
+      materials_(material_records(scene.materials)),
+      lit_(is_classic(scene) ? nullptr : std::make_unique<LitScene>(scene)) {}
 
 SurfaceView PreparedScene::surfaces() const {
   SurfaceView view;

@@ -8,6 +8,7 @@
 
 #include "accel/accel.h"
 #include "render/kernels/path_kernels.h"
+#include "render/lit_scene.h"
 #include "scene/scene_view.h"
 
 namespace dapple {
@@ -20,6 +21,9 @@ class PreparedScene {
   const Camera& camera() const { return scene_.camera; }
   const Accel& accel() const { return *accel_; }
   const Material& material_of(const Hit& hit) const;
+  // Null for a classic scene.
+  const LitScene* lit_or_null() const { return lit_.get(); }
+  const LitScene& lit() const { return *lit_; }
   // For the kernels; valid as long as this.
   SurfaceView surfaces() const;
 
@@ -28,6 +32,7 @@ class PreparedScene {
   std::array<std::size_t, kShapeKindCount> first_ids_;
   std::unique_ptr<Accel> accel_;
   std::vector<MaterialRecord> materials_;
+  std::unique_ptr<LitScene> lit_;
 };
 
 }  // namespace dapple

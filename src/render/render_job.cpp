@@ -1,12 +1,15 @@
 #include "render/render_job.h"
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
+#include <optional>
 
 #include "parallel/parallel.h"
 #include "render/camera_rays.h"
 #include "render/classic_paths.h"
 #include "render/film.h"
+#include "render/light_paths.h"
 
 namespace dapple {
 namespace {
@@ -70,6 +73,53 @@ class Progress {
   std::mutex mutex_;
 };
 
+std::unique_ptr<Integrator> make_integrator(const PreparedScene& scene, const CameraRays& camera,
+                                            const RenderSettings& settings) {
+  if (scene.lit_or_null() == nullptr) {
+    return std::make_unique<ClassicPaths>(scene, camera, settings);
+  }
+  return std::make_unique<LightPaths>(scene, camera, settings);
+}
+
+// The films of one picture.
+class Films {
+ public:
+  Films(const RenderSettings& settings, bool with_alpha)
+      : settings_(settings), colour_(settings.width, settings.height) {
+    if (with_alpha) alpha_.emplace(settings.width, settings.height);
+  }
+
+  TileOutput start(const Tile& tile) const {
+    TileOutput output{TileSums(tile), std::nullopt};
+    if (alpha_) output.alpha.emplace(tile);
+    return output;
+  }
+  void merge(const TileOutput& output) {
+    colour_.merge(output.colour);
+    if (alpha_) alpha_->merge(*output.alpha);
+    clamped_steps_ += output.clamped_steps;
+  }
+  RenderResult result() const {
+    RenderResult result{colour_.to_image(settings_.samples_per_pixel), colour_.dropped()};
+    const double samples =
+        double{1.0} * settings_.width * settings_.height * settings_.samples_per_pixel;
+    result.clamped_radiance =
+        static_cast<double>(clamped_steps_.load()) / (double{kFilmStepsPerUnit} * samples);
+    if (alpha_) {
+      for (const Vec3f& pixel : alpha_->to_image(settings_.samples_per_pixel).pixels) {
+        result.image.alpha.push_back(pixel.x);
+      }
+    }
+    return result;
+  }
+
+ private:
+  const RenderSettings& settings_;
+  Film colour_;
+  std::optional<Film> alpha_;
+  std::atomic<std::int64_t> clamped_steps_{0};
+};
+
 }  // namespace
 
 Expected<RenderResult> render(const PreparedScene& scene, const RenderSettings& settings,
@@ -77,22 +127,22 @@ Expected<RenderResult> render(const PreparedScene& scene, const RenderSettings& 
   if (auto status = validate(settings); !status) return tl::unexpected(status.error());
   const auto camera = CameraRays::create(scene.camera(), settings);
   if (!camera) return tl::unexpected(camera.error());
-  const ClassicPaths paths(scene, *camera, settings);
+  const auto integrator = make_integrator(scene, *camera, settings);
   const Units units(settings);
-  Film film(settings.width, settings.height);
+  Films films(settings, settings.transparent_background && scene.lit_or_null() != nullptr);
   Progress progress(control, units.size());
   const auto cancelled = [&] { return control.cancel != nullptr && control.cancel->load(); };
 
   parallel_for_dynamic(units.size(), [&](std::size_t i) {
     if (cancelled()) return;
     const Unit unit = units[i];
-    TileSums sums(unit.tile);
-    paths.render(unit.samples, sums);
-    film.merge(sums);
+    TileOutput output = films.start(unit.tile);
+    integrator->render(unit.samples, output);
+    films.merge(output);
     progress.count_one();
   });
   if (cancelled()) return fail(Errc::interrupted, "", "rendering was interrupted");
-  return RenderResult{film.to_image(settings.samples_per_pixel), film.dropped()};
+  return films.result();
 }
 
 }  // namespace dapple

@@ -22,6 +22,9 @@ struct RenderControl {
 struct RenderResult {
   Image image;                        // linear radiance
   std::uint64_t dropped_samples = 0;  // samples that were not finite and count as black
+  // Mean over the picture of the radiance, all channels together, that the clamp of indirect light
+  // took away.
+  double clamped_radiance = 0;
 };
 
 // The same picture, to the bit, on any number of threads and with any acceleration structure.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "render/pixel_filter.h"
 #include "util/error.h"
 
 namespace dapple {
@@ -18,6 +19,11 @@ struct RenderSettings {
   int samples_per_pixel = 16;
   std::uint64_t seed = 0;
   int max_scatterings = 5;  // a path is cut after this many
+
+  // Of scenes that are not classic ones (render/lit_scene.h):
+  FilterKind filter = FilterKind::blackman_harris;
+  bool transparent_background = false;  // the picture gets alpha, and its background none
+  float clamp_indirect = 0;  // cut of what a path brings after its first scattering; 0: none
 };
 
 // A usage error unless every number is in its range.

@@ -109,9 +109,9 @@ TEST(Determinism, AnyCutIntoPiecesInAnyOrderGivesThePicture) {
     for (int repeat = 0; repeat < 3; ++repeat) {
       Film film(settings.width, settings.height);
       for (const Piece& piece : random_pieces(settings, random)) {
-        TileSums sums(piece.tile);
-        paths.render(piece.samples, sums);
-        film.merge(sums);
+        TileOutput output{TileSums(piece.tile), std::nullopt};
+        paths.render(piece.samples, output);
+        film.merge(output.colour);
       }
       EXPECT_EQ(film.to_image(settings.samples_per_pixel).pixels, expected->image.pixels)
           << scene.name;
@@ -129,12 +129,12 @@ TEST(Determinism, MoreSamplesContinueThePicture) {
   many.samples_per_pixel = 9;
   const auto camera = CameraRays::create(scene.camera, few);
   Film film(few.width, few.height);
-  TileSums first(Tile{0, 0, few.width, few.height}), rest = first;
+  TileOutput first{TileSums(Tile{0, 0, few.width, few.height}), std::nullopt}, rest = first;
   ClassicPaths(prepared, *camera, few).render({0, 4}, first);
   ClassicPaths(prepared, *camera, many).render({4, 9}, rest);
-  film.merge(first);
+  film.merge(first.colour);
   EXPECT_EQ(film.to_image(4).pixels, picture(scene, AccelKind::fast, few).pixels);
-  film.merge(rest);
+  film.merge(rest.colour);
   EXPECT_EQ(film.to_image(9).pixels, picture(scene, AccelKind::fast, many).pixels);
 }
 

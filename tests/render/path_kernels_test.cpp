@@ -128,8 +128,9 @@ void expect_scalar_sums(const Scene& scene, const std::string& name) {
     scalar.render({1, 3}, expected);
     for (const std::string_view isa : available_isas()) {
       ASSERT_TRUE(force_isa(isa));
-      TileSums sums(tile);
-      paths.render({1, 3}, sums);
+      TileOutput output{TileSums(tile), std::nullopt};
+      paths.render({1, 3}, output);
+      const TileSums& sums = output.colour;
       EXPECT_EQ(sums.dropped(), expected.dropped()) << name << ", " << isa;
       EXPECT_TRUE(std::ranges::equal(sums.sums(), expected.sums())) << name << ", " << isa;
     }

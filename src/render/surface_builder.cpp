@@ -1,0 +1,172 @@
+#include "render/surface_builder.h"
+
+#include <cmath>
+
+#include "math/fast_functions.h"
+#include "math/frame.h"
+
+namespace dapple {
+namespace {
+
+constexpr float kSmallest = 1e-30f;  // of a squared length that still has a direction
+
+Vec3f normalized_or(const Vec3f& v, const Vec3f& fallback) {
+  const float squared = dot(v, v);
+  return squared > kSmallest ? v / std::sqrt(squared) : fallback;
+}
+
+// Weights of a triangle's corners at a point of its plane.
+std::array<float, 3> barycentric(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+  const Vec3f e1 = b - a, e2 = c - a, n = cross(e1, e2), d = p - a;
+  const float squared = dot(n, n);
+  if (!(squared > 0)) return {1, 0, 0};
+  const float v = dot(cross(d, e2), n) / squared;
+  const float w = dot(cross(e1, d), n) / squared;
+  return {1 - v - w, v, w};
+}
+
+template <class T>
+T mixed(const std::array<float, 3>& weights, const T& a, const T& b, const T& c) {
+  return weights[0] * a + weights[1] * b + weights[2] * c;
+}
+
+// Direction in which a texture coordinate grows over a triangle, and the root of its area over the
+// triangle's.
+struct UvFrame {
+  Vec3f along_u;
+  float sign = 1;
+  float per_length = 0;
+};
+
+UvFrame uv_frame(const Vec3f& e1, const Vec3f& e2, Vec2f d1, Vec2f d2) {
+  const float area = d1.x * d2.y - d1.y * d2.x;
+  const float world_area = length(cross(e1, e2));
+  UvFrame frame;
+  if (area == 0 || !(world_area > 0)) return frame;
+  const float sign = area < 0 ? -1.0f : 1.0f;
+  frame.along_u = sign * (d2.y * e1 - d1.y * e2);
+  // v grows downwards in images, and tangent frames are right-handed with v upwards.
+  frame.sign = -sign;
+  frame.per_length = std::sqrt(std::fabs(area) / world_area);
+  return frame;
+}
+
+// Makes the tangent orthogonal to the shading normal; any direction will do where there is none.
+void set_tangent(const Vec3f& wish, SurfaceInteraction& at) {
+  at.tangent = frame_along(at.shading_normal, wish).tangent;
+}
+
+}  // namespace
+
+SurfaceBuilder::SurfaceBuilder(const SceneView& scene)
+    : scene_(scene), first_ids_(first_prim_ids(scene)) {}
+
+std::uint32_t SurfaceBuilder::index_of(const Hit& hit) const {
+  const auto kind = static_cast<std::size_t>(hit.lane.kind());
+  return static_cast<std::uint32_t>(hit.prim - first_ids_[kind]);
+}
+
+MaterialId SurfaceBuilder::material_of(const Hit& hit) const {
+  return scene_.materials_of(hit.lane.kind())[index_of(hit)];
+}
+
+Surface SurfaceBuilder::build(const Accel& accel, const Ray& ray, const Hit& hit,
+                              float cone_width) const {
+  const SurfacePoint point = accel.locate(ray, hit);
+  const std::uint32_t index = index_of(hit);
+  const ShapeKind kind = hit.lane.kind();
+  Surface surface;
+  surface.material = material_of(hit);
+  surface.error = point.error;
+  surface.emitter.index = index;
+  surface.at.position = point.position;
+  surface.at.geometric_normal = surface.at.shading_normal = point.outward;
+  surface.at.cone_width = cone_width;
+  surface.at.from_outside = dot(ray.direction, point.outward) < 0;
+  if (kind == ShapeKind::triangle) {
+    describe_triangle(index, point, surface);
+  } else if (kind == ShapeKind::sphere) {
+    describe_sphere(index, surface);
+  } else if (kind == ShapeKind::cylinder) {
+    surface.emitter.kind = EmitterKind::cylinder;
+    set_tangent({}, surface.at);
+  } else {
+    describe_rectangle(kind, index, surface);
+  }
+  return surface;
+}
+
+void SurfaceBuilder::describe_triangle(std::uint32_t index, const SurfacePoint& point,
+                                       Surface& surface) const {
+  SurfaceInteraction& at = surface.at;
+  const VertexView& vertices = scene_.vertices;
+  const auto [i, j, k] = scene_.triangles[index].vertices;
+  const Vec3f &a = vertices.positions[i], &b = vertices.positions[j], &c = vertices.positions[k];
+  const auto weights = barycentric(point.position, a, b, c);
+  surface.emitter.kind = EmitterKind::triangle;
+
+  if (!vertices.normals.empty()) {
+    const auto& n = vertices.normals;
+    at.shading_normal = normalized_or(mixed(weights, n[i], n[j], n[k]), at.geometric_normal);
+    if (dot(at.shading_normal, at.geometric_normal) < 0) at.shading_normal = -at.shading_normal;
+  }
+  if (!vertices.colours.empty()) {
+    const auto& colour = vertices.colours;
+    at.colour = mixed(weights, colour[i], colour[j], colour[k]);
+  }
+  UvFrame first;
+  for (std::size_t set = 0; set < kUvSetCount; ++set) {
+    const auto& uv = vertices.uvs[set];
+    if (uv.empty()) continue;
+    at.uvs[set] = mixed(weights, uv[i], uv[j], uv[k]);
+    const UvFrame frame = uv_frame(b - a, c - a, uv[j] - uv[i], uv[k] - uv[i]);
+    at.uv_per_length[set] = frame.per_length;
+    if (set == 0) first = frame;
+  }
+  at.bitangent_sign = first.sign;
+  Vec3f tangent = first.along_u;
+  if (!vertices.tangents.empty()) {
+    const auto& t = vertices.tangents;
+    const Vec3f given = mixed(weights, t[i].xyz(), t[j].xyz(), t[k].xyz());
+    if (dot(given, given) > kSmallest) {
+      tangent = given;
+      at.bitangent_sign = t[i].w < 0 ? -1.0f : 1.0f;
+    }
+  }
+  set_tangent(tangent, at);
+}
+
+// u runs around the y axis, v from the top down, as on a globe.
+void SurfaceBuilder::describe_sphere(std::uint32_t index, Surface& surface) const {
+  SurfaceInteraction& at = surface.at;
+  surface.emitter.kind = EmitterKind::sphere;
+  const Vec3f n = at.geometric_normal;
+  at.uvs[0] = {fast_atan2(n.z, n.x) * (0.5f * kInvPi) + 0.5f, fast_acos(n.y) * kInvPi};
+  at.uvs[1] = at.uvs[0];
+  const auto radius = static_cast<float>(std::fabs(scene_.spheres[index].radius));
+  // The square root of the unit square over the sphere's area 4 pi r^2.
+  at.uv_per_length[0] = at.uv_per_length[1] = radius > 0 ? 0.28209479f / radius : 0.0f;
+  at.bitangent_sign = -1;
+  set_tangent({-n.z, 0, n.x}, at);
+}
+
+void SurfaceBuilder::describe_rectangle(ShapeKind kind, std::uint32_t index,
+                                        Surface& surface) const {
+  SurfaceInteraction& at = surface.at;
+  surface.emitter.kind = static_cast<EmitterKind>(static_cast<std::uint32_t>(EmitterKind::sphere) +
+                                                  static_cast<std::uint32_t>(kind));
+  const Rectangle& r = scene_.rectangles[rectangle_index(kind)][index];
+  const RectangleAxes axes = rectangle_axes(kind);
+  const auto width = static_cast<float>(r.u1 - r.u0), height = static_cast<float>(r.v1 - r.v0);
+  if (width > 0 && height > 0) {
+    const Vec2f uv{(at.position[axes.u] - static_cast<float>(r.u0)) / width,
+                   1 - (at.position[axes.v] - static_cast<float>(r.v0)) / height};
+    at.uvs[0] = at.uvs[1] = uv;
+    at.uv_per_length[0] = at.uv_per_length[1] = 1 / std::sqrt(width * height);
+  }
+  Vec3f along_u;
+  along_u[axes.u] = 1;
+  set_tangent(along_u, at);
+}
+
+}  // namespace dapple

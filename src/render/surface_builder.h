@@ -1,0 +1,40 @@
+// From what a ray hit to what shading needs to know of the place.
+#pragma once
+
+#include <array>
+
+#include "accel/accel.h"
+#include "scene/scene_view.h"
+#include "shading/light_set.h"
+#include "shading/surface_interaction.h"
+
+namespace dapple {
+
+// A place on a surface: how shading sees it, what it is made of and which emitter it may be.
+struct Surface {
+  SurfaceInteraction at;
+  MaterialId material{};
+  EmitterId emitter;
+  float error = 0;  // bound on the distance of at.position from the exact surface
+};
+
+class SurfaceBuilder {
+ public:
+  explicit SurfaceBuilder(const SceneView& scene);
+
+  // `hit` was found by `accel` for `ray`; `cone_width` is the width of the ray cone there.
+  Surface build(const Accel& accel, const Ray& ray, const Hit& hit, float cone_width) const;
+
+  MaterialId material_of(const Hit& hit) const;
+
+ private:
+  void describe_triangle(std::uint32_t index, const SurfacePoint& point, Surface& surface) const;
+  void describe_sphere(std::uint32_t index, Surface& surface) const;
+  void describe_rectangle(ShapeKind kind, std::uint32_t index, Surface& surface) const;
+  std::uint32_t index_of(const Hit& hit) const;
+
+  SceneView scene_;
+  std::array<std::size_t, kShapeKindCount> first_ids_;
+};
+
+}  // namespace dapple
