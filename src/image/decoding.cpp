@@ -16,15 +16,22 @@ tl::unexpected<Error> bad_byte(std::size_t offset, std::string message) {
   return fail(Errc::bad_data, fmt::format("byte {}", offset), std::move(message));
 }
 
+Status check_picture_size(std::uint64_t width, std::uint64_t height, std::uint64_t max_pixels) {
+  constexpr std::uint64_t kMaxSide = 0x7fffffff;
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
+      width * height > max_pixels) {
+    return fail(Errc::bad_data, "",
+                fmt::format("{} x {} pixels are not a picture of 1 to {} pixels", width, height,
+                            max_pixels));
+  }
+  return {};
+}
+
 Expected<Image> allocate_image(std::uint64_t width, std::uint64_t height,
                                std::uint64_t bytes_needed, std::uint64_t bytes_there,
                                const ImageReadOptions& options) {
-  constexpr std::uint64_t kMaxSide = 0x7fffffff;
-  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
-      width * height > options.max_pixels) {
-    return fail(Errc::bad_data, "",
-                fmt::format("{} x {} pixels are not a picture of 1 to {} pixels", width, height,
-                            options.max_pixels));
+  if (auto allowed = check_picture_size(width, height, options.max_pixels); !allowed) {
+    return tl::unexpected(allowed.error());
   }
   if (bytes_there < bytes_needed) {
     return bad_byte(bytes_there, fmt::format("the file ends early: {} x {} pixels need {} bytes",

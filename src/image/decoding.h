@@ -14,6 +14,10 @@ namespace dapple {
 
 [[nodiscard]] tl::unexpected<Error> bad_byte(std::size_t offset, std::string message);
 
+// Fails for a picture without pixels or with more than `max_pixels`.
+[[nodiscard]] Status check_picture_size(std::uint64_t width, std::uint64_t height,
+                                        std::uint64_t max_pixels);
+
 // A black picture, once the size is known to be allowed and `bytes_needed`, the least that a whole
 // file of this size can have, is there. So memory is never taken on the word of a short file.
 [[nodiscard]] Expected<Image> allocate_image(std::uint64_t width, std::uint64_t height,

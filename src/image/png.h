@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/formats.h"
+#include "image/raw_image.h"
 
 namespace dapple {
 
@@ -14,5 +15,8 @@ namespace dapple {
                                                           const ImageWriteOptions& options);
 [[nodiscard]] Expected<Image> decode_png(std::span<const std::byte> bytes,
                                          const ImageReadOptions& options);
+// The stored samples with alpha, 8 or 16 bits; gamma is ignored.
+[[nodiscard]] Expected<RawImage> decode_raw_png(std::span<const std::byte> bytes,
+                                                std::uint64_t max_pixels);
 
 }  // namespace dapple

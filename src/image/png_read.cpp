@@ -15,13 +15,15 @@ struct Reader : PngSession {
   png_uint_32 width = 0, height = 0;
   int bits = 0;              // of a sample, after palettes and bits are expanded: 8 or 16
   std::size_t row_size = 0;  // after expansion
+  bool with_alpha = false;   // rgba, little-endian, instead of rgb, big-endian
   bool has_srgb = false;
   png_fixed_point gamma = 0;  // of the gAMA chunk, times 100000; 0: none
   std::uint64_t least_size = 0;
   std::vector<png_byte> samples;
   std::vector<png_bytep> rows;
 
-  explicit Reader(std::span<const std::byte> bytes_) : bytes(bytes_) {
+  Reader(std::span<const std::byte> bytes_, bool with_alpha_)
+      : bytes(bytes_), with_alpha(with_alpha_) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<PngSession*>(this),
                                  png_report_error, png_ignore_warning);
     if (png != nullptr) info = png_create_info_struct(png);
@@ -68,7 +70,12 @@ void read_header(Reader& reader) {
 
   png_set_expand(reader.png);
   png_set_gray_to_rgb(reader.png);
-  png_set_strip_alpha(reader.png);
+  if (reader.with_alpha) {
+    png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
+    png_set_swap(reader.png);
+  } else {
+    png_set_strip_alpha(reader.png);
+  }
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
   reader.bits = png_get_bit_depth(reader.png, reader.info);
@@ -82,6 +89,14 @@ void read_pixels(Reader& reader) {
 
 tl::unexpected<Error> damaged(const Reader& reader) {
   return bad_byte(reader.position, std::string("damaged PNG: ") + reader.message);
+}
+
+void allocate_rows(Reader& reader) {
+  reader.samples.resize(reader.row_size * reader.height);
+  reader.rows.resize(reader.height);
+  for (std::size_t y = 0; y < reader.rows.size(); ++y) {
+    reader.rows[y] = reader.samples.data() + y * reader.row_size;
+  }
 }
 
 std::vector<float> sample_table(const Reader& reader, const ImageReadOptions& options) {
@@ -106,21 +121,30 @@ void fill(Image& image, const Reader& reader, const std::vector<float>& table) {
 }  // namespace
 
 Expected<Image> decode_png(std::span<const std::byte> bytes, const ImageReadOptions& options) {
-  Reader reader(bytes);
+  Reader reader(bytes, /*with_alpha=*/false);
   if (reader.info == nullptr) return fail(Errc::memory, "", reader.message);
   if (!png_run(reader, read_header, reader)) return damaged(reader);
   auto image =
       allocate_image(reader.width, reader.height, reader.least_size, bytes.size(), options);
   if (!image) return image;
-
-  reader.samples.resize(reader.row_size * reader.height);
-  reader.rows.resize(reader.height);
-  for (std::size_t y = 0; y < reader.rows.size(); ++y) {
-    reader.rows[y] = reader.samples.data() + y * reader.row_size;
-  }
+  allocate_rows(reader);
   if (!png_run(reader, read_pixels, reader)) return damaged(reader);
   fill(*image, reader, sample_table(reader, options));
   return image;
+}
+
+Expected<RawImage> decode_raw_png(std::span<const std::byte> bytes, std::uint64_t max_pixels) {
+  Reader reader(bytes, /*with_alpha=*/true);
+  if (reader.info == nullptr) return fail(Errc::memory, "", reader.message);
+  if (!png_run(reader, read_header, reader)) return damaged(reader);
+  if (auto allowed = check_picture_size(reader.width, reader.height, max_pixels); !allowed) {
+    return tl::unexpected(allowed.error());
+  }
+  if (bytes.size() < reader.least_size) return bad_byte(bytes.size(), "the file ends early");
+  allocate_rows(reader);
+  if (!png_run(reader, read_pixels, reader)) return damaged(reader);
+  const RawFormat format = reader.bits == 16 ? RawFormat::rgba16 : RawFormat::rgba8;
+  return RawImage{reader.width, reader.height, format, std::move(reader.samples)};
 }
 
 }  // namespace dapple

@@ -29,13 +29,17 @@ Expected<MappedFile> MappedFile::open(const std::string& path) {
   // O_NONBLOCK: opening a pipe that nobody writes must not hang.
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (file.number < 0) return opening_failed(path, errno);
+  return map(file.number, path);
+}
+
+Expected<MappedFile> MappedFile::map(int descriptor, const std::string& path) {
   struct stat status {};
-  if (::fstat(file.number, &status) != 0) return opening_failed(path, errno);
+  if (::fstat(descriptor, &status) != 0) return opening_failed(path, errno);
   if (S_ISDIR(status.st_mode)) return opening_failed(path, EISDIR);
   if (!S_ISREG(status.st_mode)) return fail(Errc::no_input, path, "not a regular file");
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size == 0) return MappedFile();
-  void* address = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file.number, 0);
+  void* address = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, descriptor, 0);
   if (address == MAP_FAILED) return opening_failed(path, errno);
   return MappedFile({static_cast<const std::byte*>(address), size}, path);
 }
