@@ -33,6 +33,14 @@ struct Transform {
 using Transformf = Transform<float>;
 using Transformd = Transform<double>;
 
+constexpr Transformd to_double(const Transformf& m) {
+  Transformd result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j) result.rows[i][j] = double{m.rows[i][j]};
+  }
+  return result;
+}
+
 // a after b.
 template <class T>
 constexpr Transform<T> operator*(const Transform<T>& a, const Transform<T>& b) {

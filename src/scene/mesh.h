@@ -24,7 +24,7 @@ using ArrayView = std::span<const T>;
 template <template <class> class Array>
 struct VertexArrays {
   Array<Vec3f> positions;
-  Array<Vec3f> normals;   // unit length; zero: that of the triangle itself
+  Array<Vec3f> normals;   // unit length, to 2.5 %; zero: that of the triangle itself
   Array<Vec4f> tangents;  // unit xyz, w = +-1 the side of the bitangent; zero: none
   std::array<Array<Vec2f>, kUvSetCount> uvs;  // (0, 0) is the corner of an image's first texel
   Array<Vec4f> colours;                       // linear, multiplied into the base colour and alpha
@@ -40,7 +40,7 @@ struct Triangle {
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
-// A solid cylinder with flat ends.
+// A solid cylinder with flat ends. The radius is not negative.
 struct Cylinder {
   Vec3d begin, end;
   double radius = 0;
@@ -49,14 +49,14 @@ struct Cylinder {
 
 // Triangles [first_triangle, first_triangle + triangle_count) that are seen only through instances.
 // A scene's prototypes tile the tail of its triangles; those before the first stand in the world
-// themselves.
+// themselves. None is without triangles.
 struct Prototype {
   std::uint32_t first_triangle = 0;
   std::uint32_t triangle_count = 0;
   friend bool operator==(const Prototype&, const Prototype&) = default;
 };
 
-// A prototype placed in the world.
+// A prototype placed in the world, by a map that has an inverse.
 struct Instance {
   Transformf to_world;
   std::uint32_t prototype = 0;

@@ -18,10 +18,13 @@ static_assert(std::endian::native == std::endian::little,
               "scene files are mapped as they stand, which takes a little-endian machine");
 
 // History. A reader accepts any minor version of its own major version: what a later minor adds
-// is in sections marked ignorable. The major version grows when an older reader would misread.
+// and can be left aside is in sections marked ignorable, what cannot in critical ones, on which an
+// older reader gives up. The major version grows when an older reader would misread.
 //   1.0  camera, materials, object order, spheres, rectangles, optional 16-wide BVH
+//   1.1  meshes, cylinders, prototypes and instances, layered materials, textures, images, lights,
+//        environment, further cameras, orthographic cameras
 inline constexpr std::uint16_t kFormatMajor = 1;
-inline constexpr std::uint16_t kFormatMinor = 0;
+inline constexpr std::uint16_t kFormatMinor = 1;
 
 // As in PNG: a byte above 127, a name, and the line ends and end-of-file marks that a transfer in
 // text mode would change.
@@ -62,6 +65,26 @@ enum class SectionType : std::uint32_t {
   xy_rectangle_materials = section_type("XYRM"),
   xz_rectangle_materials = section_type("XZRM"),
   yz_rectangle_materials = section_type("YZRM"),
+  positions = section_type("POSN"),
+  normals = section_type("NRML"),
+  tangents = section_type("TANG"),
+  uvs0 = section_type("UVS0"),
+  uvs1 = section_type("UVS1"),
+  colours = section_type("COLR"),
+  triangles = section_type("TRIS"),
+  triangle_materials = section_type("TRIM"),
+  cylinders = section_type("CYLN"),
+  cylinder_materials = section_type("CYLM"),
+  prototypes = section_type("PROT"),
+  instances = section_type("INST"),
+  layered_materials = section_type("LAYR"),
+  textures = section_type("TXTR"),
+  images = section_type("IMGS"),
+  texels = section_type("TXEL"),
+  lights = section_type("LGHT"),
+  environment = section_type("ENVR"),
+  cameras = section_type("CAMS"),
+  orthographic = section_type("ORTH"),
   bvh_nodes = section_type("BVHN"),
   bvh_leaves = section_type("BVHL"),
 };
@@ -93,6 +116,8 @@ static_assert(sizeof(SectionEntry) == 64 && offsetof(SectionEntry, offset) == 8 
 // last one may be shorter), so that many threads can compute it and a writer can stream.
 inline constexpr std::size_t kHashChunk = std::size_t{1} << 20;
 
+// What the camera's picture is as high as, when it is not in perspective, is in a section of its
+// own.
 struct CameraRecord {
   double look_from[3];
   double look_at[3];
@@ -107,6 +132,7 @@ static_assert(sizeof(CameraRecord) == 96);
 //   0 lambertian  albedo[3]
 //   1 metal       albedo[3] fuzz
 //   2 dielectric  ref_idx
+//   3 layered     index
 struct MaterialRecord {
   std::uint32_t tag;
   std::uint32_t reserved;  // zero

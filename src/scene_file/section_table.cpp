@@ -13,21 +13,55 @@
 namespace dapple {
 namespace {
 
-constexpr std::array<SectionKind, 13> kSectionKinds = {{
-    {SectionType::camera, sizeof(CameraRecord), kSectionCritical, "camera"},
-    {SectionType::materials, sizeof(MaterialRecord), kSectionCritical, "materials"},
-    {SectionType::runs, sizeof(RunRecord), kSectionCritical, "object order"},
-    {SectionType::spheres, 32, kSectionCritical, "spheres"},
-    {SectionType::sphere_materials, 4, kSectionCritical, "materials of spheres"},
-    {SectionType::xy_rectangles, 40, kSectionCritical, "xy_rectangles"},
-    {SectionType::xy_rectangle_materials, 4, kSectionCritical, "materials of xy_rectangles"},
-    {SectionType::xz_rectangles, 40, kSectionCritical, "xz_rectangles"},
-    {SectionType::xz_rectangle_materials, 4, kSectionCritical, "materials of xz_rectangles"},
-    {SectionType::yz_rectangles, 40, kSectionCritical, "yz_rectangles"},
-    {SectionType::yz_rectangle_materials, 4, kSectionCritical, "materials of yz_rectangles"},
-    {SectionType::bvh_nodes, 448, 0, "BVH nodes"},
-    {SectionType::bvh_leaves, 64, 0, "BVH leaves"},
-}};
+// Kinds of sections that are the bytes of an array.
+constexpr SectionKind array_section(SectionType type, std::uint32_t stride, std::string_view name,
+                                    SceneArray array) {
+  return {type, stride, kSectionCritical, name, array};
+}
+
+constexpr std::array kSectionKinds = {
+    SectionKind{SectionType::camera, sizeof(CameraRecord), kSectionCritical, "camera", {}},
+    SectionKind{
+        SectionType::orthographic, 8, kSectionCritical, "height of an orthographic picture", {}},
+    SectionKind{SectionType::materials, sizeof(MaterialRecord), kSectionCritical, "materials", {}},
+    SectionKind{SectionType::runs, sizeof(RunRecord), kSectionCritical, "object order", {}},
+    array_section(SectionType::spheres, 32, "spheres", SceneArray::spheres),
+    array_section(SectionType::sphere_materials, 4, "materials of spheres",
+                  SceneArray::sphere_materials),
+    array_section(SectionType::xy_rectangles, 40, "xy_rectangles", SceneArray::xy_rectangles),
+    array_section(SectionType::xy_rectangle_materials, 4, "materials of xy_rectangles",
+                  SceneArray::xy_rectangle_materials),
+    array_section(SectionType::xz_rectangles, 40, "xz_rectangles", SceneArray::xz_rectangles),
+    array_section(SectionType::xz_rectangle_materials, 4, "materials of xz_rectangles",
+                  SceneArray::xz_rectangle_materials),
+    array_section(SectionType::yz_rectangles, 40, "yz_rectangles", SceneArray::yz_rectangles),
+    array_section(SectionType::yz_rectangle_materials, 4, "materials of yz_rectangles",
+                  SceneArray::yz_rectangle_materials),
+    array_section(SectionType::positions, 12, "vertex positions", SceneArray::positions),
+    array_section(SectionType::normals, 12, "vertex normals", SceneArray::normals),
+    array_section(SectionType::tangents, 16, "vertex tangents", SceneArray::tangents),
+    array_section(SectionType::uvs0, 8, "first texture coordinates", SceneArray::uvs0),
+    array_section(SectionType::uvs1, 8, "second texture coordinates", SceneArray::uvs1),
+    array_section(SectionType::colours, 16, "vertex colours", SceneArray::colours),
+    array_section(SectionType::triangles, 12, "triangles", SceneArray::triangles),
+    array_section(SectionType::triangle_materials, 4, "materials of triangles",
+                  SceneArray::triangle_materials),
+    array_section(SectionType::cylinders, 56, "cylinders", SceneArray::cylinders),
+    array_section(SectionType::cylinder_materials, 4, "materials of cylinders",
+                  SceneArray::cylinder_materials),
+    array_section(SectionType::prototypes, 8, "prototypes", SceneArray::prototypes),
+    array_section(SectionType::instances, 52, "instances", SceneArray::instances),
+    array_section(SectionType::layered_materials, 772, "layered materials",
+                  SceneArray::layered_materials),
+    array_section(SectionType::textures, 16, "textures", SceneArray::textures),
+    array_section(SectionType::images, 24, "images", SceneArray::images),
+    array_section(SectionType::texels, 1, "texels", SceneArray::texels),
+    array_section(SectionType::lights, 48, "lights", SceneArray::lights),
+    array_section(SectionType::cameras, 168, "cameras", SceneArray::cameras),
+    SectionKind{SectionType::environment, 24, kSectionCritical, "environment", {}},
+    SectionKind{SectionType::bvh_nodes, 448, 0, "BVH nodes", {}},
+    SectionKind{SectionType::bvh_leaves, 64, 0, "BVH leaves", {}},
+};
 
 template <class T>
 T read_struct(std::span<const std::byte> bytes, std::size_t offset) {
@@ -68,13 +102,6 @@ Status check_header(const FileHeader& header, std::span<const std::byte> file, b
   return {};
 }
 
-const SectionKind* find_kind(std::uint32_t type) {
-  const auto found = std::find_if(kSectionKinds.begin(), kSectionKinds.end(), [&](const auto& k) {
-    return static_cast<std::uint32_t>(k.type) == type;
-  });
-  return found == kSectionKinds.end() ? nullptr : &*found;
-}
-
 const char* reason_against(const SectionEntry& entry) {
   if ((entry.flags & ~kSectionCritical) != 0) return "has unknown flags";
   if (entry.reserved[0] != 0 || entry.reserved[1] != 0) return "has reserved fields not zero";
@@ -87,7 +114,7 @@ const char* reason_against(const SectionEntry& entry) {
       product != entry.size) {
     return "has a size that is not count times stride";
   }
-  const SectionKind* kind = find_kind(entry.type);
+  const SectionKind* kind = find_section_kind(entry.type);
   if (kind == nullptr) {
     return (entry.flags & kSectionCritical) != 0
                ? "is not known to this version and cannot be skipped"
@@ -140,17 +167,17 @@ Status check_entries(std::span<const SectionEntry> entries, std::span<const std:
 
 std::span<const SectionKind> section_kinds() { return kSectionKinds; }
 
-SectionType shapes_section(ShapeKind kind) {
-  constexpr SectionType kTypes[] = {SectionType::spheres, SectionType::xy_rectangles,
-                                    SectionType::xz_rectangles, SectionType::yz_rectangles};
-  return kTypes[static_cast<std::size_t>(kind)];
+const SectionKind* find_section_kind(std::uint32_t type) {
+  const auto found = std::find_if(kSectionKinds.begin(), kSectionKinds.end(), [&](const auto& k) {
+    return static_cast<std::uint32_t>(k.type) == type;
+  });
+  return found == kSectionKinds.end() ? nullptr : &*found;
 }
 
-SectionType materials_section(ShapeKind kind) {
-  constexpr SectionType kTypes[] = {
-      SectionType::sphere_materials, SectionType::xy_rectangle_materials,
-      SectionType::xz_rectangle_materials, SectionType::yz_rectangle_materials};
-  return kTypes[static_cast<std::size_t>(kind)];
+SectionType section_of(SceneArray array) {
+  return std::find_if(kSectionKinds.begin(), kSectionKinds.end(),
+                      [&](const SectionKind& kind) { return kind.array == array; })
+      ->type;
 }
 
 std::string section_name(std::uint32_t type) {

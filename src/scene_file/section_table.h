@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scene/shapes.h"
+#include "scene/scene_arrays.h"
 #include "scene_file/format.h"
 #include "util/error.h"
 
@@ -19,12 +20,14 @@ struct SectionKind {
   std::uint32_t stride;
   std::uint32_t flags;
   std::string_view name;
+  std::optional<SceneArray> array;  // of which the section is the bytes
 };
 
 // In the order in which the writer stores them.
 [[nodiscard]] std::span<const SectionKind> section_kinds();
-[[nodiscard]] SectionType shapes_section(ShapeKind kind);
-[[nodiscard]] SectionType materials_section(ShapeKind kind);
+[[nodiscard]] SectionType section_of(SceneArray array);
+// Null when this version knows no such section.
+[[nodiscard]] const SectionKind* find_section_kind(std::uint32_t type);
 
 // "SPHR", or the number where a type is not four printable letters.
 [[nodiscard]] std::string section_name(std::uint32_t type);

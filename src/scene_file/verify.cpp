@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-#include <cmath>
-#include <cstring>
+#include <algorithm>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 
 #include "parallel/parallel.h"
+#include "scene/array_checks.h"
 #include "scene/validate.h"
+#include "scene/validate_instances.h"
+#include "scene/validate_looks.h"
 #include "scene_file/records.h"
 #include "scene_file/section_hash.h"
 #include "scene_file/section_table.h"
@@ -22,31 +24,10 @@ namespace {
 // Below this many bytes waking threads costs more than they save.
 constexpr std::size_t kParallelBytes = 4 * kHashChunk;
 
-template <class T>
-std::span<const T> as_elements(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
-}
-
-bool all_are_coordinates(std::span<const double> numbers) {
-  bool all = true;
-  for (const double x : numbers) all &= std::fabs(x) <= kMaxCoordinate;  // false for NaN
-  return all;
-}
-
-bool all_are_below(std::span<const std::uint32_t> ids, std::size_t count) {
-  bool all = true;
-  for (const std::uint32_t id : ids) all &= id < count;
-  return all;
-}
-
-bool is_shapes(SectionType type) {
+// What a rendering through the BVH does not read: leaves have all of it.
+bool is_in_leaves(SectionType type) {
   return type == SectionType::spheres || type == SectionType::xy_rectangles ||
          type == SectionType::xz_rectangles || type == SectionType::yz_rectangles;
-}
-
-bool is_material_ids(SectionType type) {
-  return type == SectionType::sphere_materials || type == SectionType::xy_rectangle_materials ||
-         type == SectionType::xz_rectangle_materials || type == SectionType::yz_rectangle_materials;
 }
 
 // Of all errors that are found in parallel the one that stands first in the file.
@@ -99,7 +80,7 @@ class Verifier {
 
   bool skip_shapes() const { return options_.scope == VerifyScope::bvh_only && bvh_.has_value(); }
   bool is_skipped(const SectionEntry& section) const {
-    return skip_shapes() && is_shapes(SectionType{section.type});
+    return skip_shapes() && is_in_leaves(SectionType{section.type});
   }
   std::uint64_t offset_of_node(std::size_t node) const {
     return table_.find(SectionType::bvh_nodes)->offset + node * sizeof(WideNode);
@@ -112,11 +93,12 @@ class Verifier {
   Status lay_out();
   void check_contents();
   void check_chunk(const Chunk& chunk);
-  void check_piece(const SectionEntry& section, std::uint64_t begin,
-                   std::span<const std::byte> bytes);
+  void check_piece(const SectionEntry& section, std::uint64_t begin, std::uint64_t size);
+  void report(const SectionEntry& section, SceneArray array, std::size_t index);
   void report(const BvhDamage& damage);
   Status check_hashes() const;
   Status decode_small_sections();
+  Status read_lone_records();
   Status finish_bvh();
   void for_each(std::size_t count, const std::function<void(std::size_t)>& body) const;
 
@@ -124,7 +106,7 @@ class Verifier {
   VerifyOptions options_;
   bool parallel_;
   VerifiedScene result_;
-  std::size_t material_count_ = 0;
+  std::optional<ArrayLimits> limits_;
   std::optional<BvhVerifier> bvh_;
   std::vector<std::size_t> cuts_;  // which nodes are checked with each chunk of leaves
   std::vector<std::vector<std::uint64_t>> hashes_;  // of each section's chunks
@@ -139,13 +121,13 @@ Status Verifier::lay_out() {
   }
   SceneView& view = result_.view;
   view.runs = table_.elements<ObjectRun>(SectionType::runs);
-  view.spheres = table_.elements<Sphere>(SectionType::spheres);
-  view.sphere_materials = table_.elements<MaterialId>(SectionType::sphere_materials);
-  for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
-    view.rectangles[i] = table_.elements<Rectangle>(shapes_section(rectangle_kind(i)));
-    view.rectangle_materials[i] = table_.elements<MaterialId>(materials_section(rectangle_kind(i)));
-  }
-  material_count_ = table_.elements<MaterialRecord>(SectionType::materials).size();
+  for_each_array(
+      [&](SceneArray array, auto& elements) {
+        using Element = typename std::remove_reference_t<decltype(elements)>::element_type;
+        elements = table_.elements<std::remove_const_t<Element>>(section_of(array));
+      },
+      view);
+  limits_.emplace(view, table_.elements<MaterialRecord>(SectionType::materials).size());
   view.bvh.nodes = table_.elements<WideNode>(SectionType::bvh_nodes);
   view.bvh.rows = table_.elements<LeafRow>(SectionType::bvh_leaves);
   if (view.object_count() > kMaxObjectCount) {
@@ -187,27 +169,31 @@ void Verifier::check_chunk(const Chunk& chunk) {
   const std::uint64_t size = std::min<std::uint64_t>(chunk.section->size - chunk.begin, kHashChunk);
   const auto bytes = table_.bytes(*chunk.section).subspan(chunk.begin, size);
   if (options_.hashes) *chunk.hash = hash_bytes(bytes);
-  check_piece(*chunk.section, chunk.begin, bytes);
+  check_piece(*chunk.section, chunk.begin, size);
 }
 
-void Verifier::check_piece(const SectionEntry& section, std::uint64_t begin,
-                           std::span<const std::byte> bytes) {
-  const SectionType type{section.type};
-  if (is_shapes(type) && !all_are_coordinates(as_elements<double>(bytes))) {
-    faults_.report(section.offset + begin,
-                   fmt::format("a coordinate that is not finite or beyond {:g} in the next {} "
-                               "bytes",
-                               kMaxCoordinate, bytes.size()));
+// Elements that begin in the piece, of arrays that are used as they stand.
+void Verifier::check_piece(const SectionEntry& section, std::uint64_t begin, std::uint64_t size) {
+  const SectionKind* kind = find_section_kind(section.type);
+  if (kind != nullptr && kind->array) {
+    const auto element_from = [&](std::uint64_t byte) {
+      return static_cast<std::size_t>((byte + section.stride - 1) / section.stride);
+    };
+    const std::size_t end = element_from(begin + size);
+    const std::size_t bad =
+        first_invalid(result_.view, *limits_, *kind->array, element_from(begin), end);
+    if (bad < end) report(section, *kind->array, bad);
   }
-  if (is_material_ids(type) && !all_are_below(as_elements<std::uint32_t>(bytes), material_count_)) {
-    faults_.report(section.offset + begin,
-                   fmt::format("a material id that is not below {} in the next {} bytes",
-                               material_count_, bytes.size()));
-  }
-  if (type == SectionType::bvh_leaves) {
+  if (SectionType{section.type} == SectionType::bvh_leaves) {
     const std::size_t part = begin / kHashChunk;
     report(bvh_->check_nodes(cuts_[part], cuts_[part + 1]));
   }
+}
+
+void Verifier::report(const SectionEntry& section, SceneArray array, std::size_t index) {
+  faults_.report(section.offset + index * section.stride,
+                 fmt::format("{} {}: {}", element_name(array), index,
+                             why_invalid(result_.view, *limits_, array, index)));
 }
 
 void Verifier::report(const BvhDamage& damage) {
@@ -232,6 +218,7 @@ Status Verifier::decode_small_sections() {
   const auto camera = decode_camera(table_.elements<CameraRecord>(SectionType::camera).front());
   if (!camera) return damaged_at(offset_of(SectionType::camera), to_string(camera.error()));
   view.camera = *camera;
+  if (auto status = read_lone_records(); !status) return status;
 
   const auto records = table_.elements<MaterialRecord>(SectionType::materials);
   result_.materials.reserve(records.size());
@@ -240,6 +227,11 @@ Status Verifier::decode_small_sections() {
     if (!material) {
       return damaged_at(offset_of(SectionType::materials) + i * sizeof(MaterialRecord),
                         fmt::format("material {}: {}", i, material.error().message));
+    }
+    const auto* layered = std::get_if<Layered>(&*material);
+    if (layered != nullptr && layered->index >= limits_->layered_materials) {
+      return damaged_at(offset_of(SectionType::materials) + i * sizeof(MaterialRecord),
+                        fmt::format("material {}: its layered material does not exist", i));
     }
     result_.materials.push_back(*material);
   }
@@ -253,6 +245,32 @@ Status Verifier::decode_small_sections() {
   if (auto status = validate_counts(view); !status) {
     return damaged_at(offset_of(SectionType::runs), to_string(status.error()));
   }
+  if (const auto index = instance_too_far(view)) {
+    return damaged_at(offset_of(SectionType::instances) + *index * sizeof(Instance),
+                      fmt::format("instance {}: it reaches beyond {:g}", *index, kMaxCoordinate));
+  }
+  return {};
+}
+
+// Sections of at most one element, each left out when it is what a scene is like without it.
+Status Verifier::read_lone_records() {
+  SceneView& view = result_.view;
+  const auto heights = table_.elements<double>(SectionType::orthographic);
+  const auto environments = table_.elements<Environment>(SectionType::environment);
+  if (heights.size() > 1 || (heights.size() == 1 && !(heights[0] > 0))) {
+    return damaged_at(offset_of(SectionType::orthographic), "there must be one positive height");
+  }
+  if (heights.size() == 1) view.camera.orthographic_height = heights[0];
+  if (auto status = validate(view.camera); !status) {
+    return damaged_at(offset_of(SectionType::orthographic), to_string(status.error()));
+  }
+  if (environments.empty()) return {};
+  const std::string reason = reason_against(environments[0], limits_->images);
+  if (environments.size() > 1 || !reason.empty()) {
+    return damaged_at(offset_of(SectionType::environment),
+                      "environment: " + (reason.empty() ? "there is more than one" : reason));
+  }
+  view.environment = environments[0];
   return {};
 }
 

@@ -32,7 +32,7 @@ struct Section {
 };
 
 template <class T>
-Section as_it_stands(SectionType type, std::span<const T> elements) {
+Section as_it_stands(SectionType type, std::span<T> elements) {
   return {type, elements.size(),
           [bytes = std::as_bytes(elements)](std::uint64_t begin, std::uint64_t size, Buffer&) {
             return bytes.subspan(begin, size);
@@ -56,19 +56,23 @@ Section encoded(SectionType type, std::span<const T> elements) {
   return {type, elements.size(), part};
 }
 
-// In the order of section_kinds(), those without elements left out.
+// In the order of section_kinds(); those without elements, and those that would say what goes
+// without saying, are left out.
 std::vector<Section> sections_of(const SceneView& scene) {
-  std::vector<Section> sections = {
-      encoded(SectionType::camera, std::span(&scene.camera, 1)),
-      encoded(SectionType::materials, scene.materials),
-      encoded(SectionType::runs, scene.runs),
-      as_it_stands(SectionType::spheres, scene.spheres),
-      as_it_stands(SectionType::sphere_materials, scene.sphere_materials),
-  };
-  for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
-    const ShapeKind kind = rectangle_kind(i);
-    sections.push_back(as_it_stands(shapes_section(kind), scene.rectangles[i]));
-    sections.push_back(as_it_stands(materials_section(kind), scene.rectangle_materials[i]));
+  std::vector<Section> sections = {encoded(SectionType::camera, std::span(&scene.camera, 1))};
+  if (scene.camera.orthographic_height > 0) {
+    sections.push_back(
+        as_it_stands(SectionType::orthographic, std::span(&scene.camera.orthographic_height, 1)));
+  }
+  sections.push_back(encoded(SectionType::materials, scene.materials));
+  sections.push_back(encoded(SectionType::runs, scene.runs));
+  for_each_array(
+      [&](SceneArray array, const auto& elements) {
+        sections.push_back(as_it_stands(section_of(array), elements));
+      },
+      scene);
+  if (!(scene.environment == Environment())) {
+    sections.push_back(as_it_stands(SectionType::environment, std::span(&scene.environment, 1)));
   }
   if (!scene.bvh.empty()) {
     sections.push_back(as_it_stands(SectionType::bvh_nodes, scene.bvh.nodes));
@@ -94,18 +98,13 @@ std::uint64_t hash_section(const Section& section, std::uint64_t size) {
   return hash_of_chunks(hashes);
 }
 
-const SectionKind& kind_of(SectionType type) {
-  const auto kinds = section_kinds();
-  return *std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.type == type; });
-}
-
 std::vector<SectionEntry> make_table(std::span<const Section> sections) {
   std::vector<SectionEntry> table;
   std::uint64_t end = sizeof(FileHeader) + sections.size() * sizeof(SectionEntry);
   for (const Section& section : sections) {
-    const SectionKind& kind = kind_of(section.type);
     SectionEntry& entry = table.emplace_back();
     entry.type = static_cast<std::uint32_t>(section.type);
+    const SectionKind& kind = *find_section_kind(entry.type);
     entry.flags = kind.flags;
     entry.alignment = kSectionAlignment;
     entry.offset = align_up(end, entry.alignment);
