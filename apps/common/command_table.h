@@ -13,6 +13,9 @@ enum class ValueKind {
   flag,         // no value: given or not
   integer,      // a decimal integer in [low, high]
   number,       // a decimal number, at least 0
+  real,         // a decimal number, of any sign
+  triple,       // three of those with commas between
+  text,         // anything but nothing
   choice,       // one of `choices`
   input_file,   // an existing file
   output_file,  // a file to write

@@ -53,7 +53,7 @@ OptionInfo threads_option() {
 OptionInfo scene_argument() {
   return {.name = "SCENE",
           .kind = ValueKind::scene,
-          .help = "A named scene, such as nice or irreg:1000, or a scene file",
+          .help = "A named scene, such as nice or irreg:1000, a scene file, or a model file",
           .required = true};
 }
 
