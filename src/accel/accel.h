@@ -32,13 +32,17 @@ struct AccelStats {
 
 // The place on a surface that a hit denotes.
 struct SurfacePoint {
-  Vec3f position;   // on the surface to within `error`
-  Vec3f outward;    // unit normal: away from a sphere's centre, along a rectangle's third axis
-  float error = 0;  // bound on the distance between `position` and the exact surface
+  Vec3f position;  // on the surface to within `error`
+  // Unit normal: away from a sphere's centre, along a rectangle's third axis, to the side from
+  // which a triangle's vertices run counter-clockwise.
+  Vec3f outward;
+  float error = 0;     // bound on the distance between `position` and the exact surface
+  float u = 0, v = 0;  // weights of a triangle's second and third vertex; the first has the rest
 };
 
 // A few units in the last place of the largest coordinate that went into a position.
 inline constexpr float kPositionError = 0x1p-21f;
+inline constexpr float kTrianglePositionError = 0x1p-20f;
 // Squares below this have lost digits.
 inline constexpr float kSmallestNormal = std::numeric_limits<float>::min();
 

@@ -20,18 +20,16 @@ BuildPrim make_prim(const Bounds3f& box, std::size_t id) {
 HugeArray<BuildPrim> make_build_prims(const SceneView& scene) {
   HugeArray<BuildPrim> prims(scene.object_count());
   const auto first_ids = first_prim_ids(scene);
+  BuildPrim* to = prims.data();
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
-    const std::size_t first = first_ids[k];
-    parallel_for_chunks(scene.count(kind), kGrain, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = scene.object_count(kind);
+    parallel_for_chunks(count, kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Bounds3f box =
-            kind == ShapeKind::sphere
-                ? sphere_bounds(scene.spheres[i])
-                : rectangle_bounds(kind, scene.rectangles[rectangle_index(kind)][i]);
-        prims[first + i] = make_prim(box, first + i);
+        to[i] = make_prim(shape_bounds(scene, kind, i), first_ids[k] + i);
       }
     });
+    to += count;
   }
   return prims;
 }

@@ -51,7 +51,7 @@ inline Bounds3f Box4::bounds() const {
   return {{l[0], l[1], l[2]}, {h[0], h[1], h[2]}};
 }
 
-// The boxes of all primitives of a scene, in the order of their ids. In parallel.
+// The boxes of what stands in the world, in the order of ids. In parallel.
 [[nodiscard]] HugeArray<BuildPrim> make_build_prims(const SceneView& scene);
 
 }  // namespace dapple

@@ -11,7 +11,7 @@ LeafList::LeafList(const SceneView& scene) : first_ids_(first_prim_ids(scene)) {
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
     first_leaves_[k] = leaves_.size();
-    for (std::size_t i = 0; i < scene.count(kind); i += kLeafWidth) {
+    for (std::size_t i = 0; i < scene.object_count(kind); i += kLeafWidth) {
       leaves_.emplace_back(kind, row_count);
       row_count += leaf_rows(kind);
     }
@@ -20,7 +20,7 @@ LeafList::LeafList(const SceneView& scene) : first_ids_(first_prim_ids(scene)) {
   for (const LeafRef leaf : leaves_) clear_leaf(leaf.kind(), rows_.data() + leaf.first_row());
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
-    for (std::size_t i = 0; i < scene.count(kind); ++i) {
+    for (std::size_t i = 0; i < scene.object_count(kind); ++i) {
       const auto id = static_cast<PrimId>(first_ids_[k] + i);
       const LeafRef lane = lane_of(id);
       write_lane(scene, kind, i, id, rows_.data() + lane.first_row(), lane.lane_index());

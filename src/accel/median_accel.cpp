@@ -55,7 +55,7 @@ void MedianAccel::build(std::span<BuildPrim> prims, int axis, std::size_t index)
 
 void MedianAccel::visit(const PreparedRay& ray, std::size_t index, Hit& best) const {
   const Node& node = nodes_[index];
-  const Slab inside = box_interval(ray, &node.box.lo.x, &node.box.hi.x);
+  const Slab inside = padded_interval(ray, &node.box.lo.x, &node.box.hi.x);
   if (!(inside.near <= smaller(inside.far, best.t))) return;
   if (!node.is_leaf()) {
     visit(ray, index + 1, best);
@@ -70,7 +70,7 @@ void MedianAccel::visit(const PreparedRay& ray, std::size_t index, Hit& best) co
 
 bool MedianAccel::occludes(const PreparedRay& ray, std::size_t index) const {
   const Node& node = nodes_[index];
-  const Slab inside = box_interval(ray, &node.box.lo.x, &node.box.hi.x);
+  const Slab inside = padded_interval(ray, &node.box.lo.x, &node.box.hi.x);
   if (!(inside.near <= smaller(inside.far, ray.t_max))) return false;
   if (!node.is_leaf()) return occludes(ray, index + 1) || occludes(ray, node.second);
   return intersect_lane(ray, list_.rows(), list_.lane_of(node.prim), ray.t_max) >= 0.0f;

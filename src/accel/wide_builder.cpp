@@ -14,7 +14,6 @@ namespace {
 
 // A range up to this size is one task: a binary tree whose wide nodes are chosen together.
 constexpr std::size_t kTaskPrims = std::size_t{1} << 13;
-constexpr std::size_t kMaxLeafRows = 6;
 // From this depth on larger ranges are split in half by number. With the halving of binary trees
 // this keeps the deepest tree within kMaxWideDepth.
 constexpr int kHalvingDepth = 10;

@@ -2,7 +2,9 @@
 //
 // Each number of the primitives has a row of 16 words, one cache line. A leaf of spheres is five
 // rows       cx cy cz radius id            (320 bytes),
-// a leaf of rectangles six rows   u0 u1 v0 v1 k id   (384 bytes; see Rectangle).
+// a leaf of rectangles six rows   u0 u1 v0 v1 k id   (384 bytes; see Rectangle),
+// one of triangles ten            x y z of each vertex, id   (640 bytes),
+// one of cylinders eight          x y z of both ends, radius, id   (512 bytes).
 // Lanes in use come first, by ascending id. The others are shapes that nothing hits: zeros, and for
 // a rectangle u0 = +infinity and u1 = -infinity; their id is kNoPrim.
 #pragma once
@@ -18,8 +20,14 @@ namespace dapple {
 inline constexpr std::size_t kLeafWidth = 16;
 
 // Numbers of a shape; its row of ids follows them.
-constexpr std::size_t leaf_id_row(ShapeKind kind) { return kind == ShapeKind::sphere ? 4 : 5; }
+constexpr std::size_t leaf_id_row(ShapeKind kind) {
+  if (kind == ShapeKind::sphere) return 4;
+  if (kind == ShapeKind::triangle) return 9;
+  if (kind == ShapeKind::cylinder) return 7;
+  return 5;
+}
 constexpr std::size_t leaf_rows(ShapeKind kind) { return leaf_id_row(kind) + 1; }
+inline constexpr std::size_t kMaxLeafRows = 10;
 
 // One row: what leaves are counted and addressed in.
 struct alignas(64) LeafRow {

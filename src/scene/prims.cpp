@@ -31,12 +31,27 @@ Bounds3f rectangle_bounds(ShapeKind kind, const Rectangle& r) {
   return box;
 }
 
+Bounds3f triangle_bounds(const SceneView& scene, const Triangle& triangle) {
+  Bounds3f box;
+  for (const std::uint32_t vertex : triangle.vertices) {
+    const Vec3f& position = scene.vertices.positions[vertex];
+    box.extend({position, position});
+  }
+  return box;
+}
+
+Bounds3f shape_bounds(const SceneView& scene, ShapeKind kind, std::size_t index) {
+  if (kind == ShapeKind::sphere) return sphere_bounds(scene.spheres[index]);
+  if (kind == ShapeKind::triangle) return triangle_bounds(scene, scene.triangles[index]);
+  return rectangle_bounds(kind, scene.rectangles[rectangle_index(kind)][index]);
+}
+
 Bounds3f scene_bounds(const SceneView& scene) {
   Bounds3f all;
-  for (const Sphere& sphere : scene.spheres) all.extend(sphere_bounds(sphere));
-  for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
-    for (const Rectangle& rectangle : scene.rectangles[i]) {
-      all.extend(rectangle_bounds(rectangle_kind(i), rectangle));
+  for (std::size_t k = 0; k < kShapeKindCount; ++k) {
+    const auto kind = static_cast<ShapeKind>(k);
+    for (std::size_t i = 0; i < scene.object_count(kind); ++i) {
+      all.extend(shape_bounds(scene, kind, i));
     }
   }
   return all;
@@ -45,7 +60,7 @@ Bounds3f scene_bounds(const SceneView& scene) {
 void clear_leaf(ShapeKind kind, LeafRow* leaf) {
   std::fill_n(leaf, leaf_rows(kind), LeafRow{});
   std::fill_n(leaf[leaf_id_row(kind)].words, kLeafWidth, kNoPrim);
-  if (kind == ShapeKind::sphere) return;
+  if (!is_rectangle(kind)) return;
   std::fill_n(leaf[0].words, kLeafWidth, std::bit_cast<std::uint32_t>(Bounds3f::kInfinity));
   std::fill_n(leaf[1].words, kLeafWidth, std::bit_cast<std::uint32_t>(-Bounds3f::kInfinity));
 }
@@ -59,6 +74,11 @@ void write_lane(const SceneView& scene, ShapeKind kind, std::size_t index, PrimI
   if (kind == ShapeKind::sphere) {
     const Sphere& s = scene.spheres[index];
     for (const double value : {s.centre.x, s.centre.y, s.centre.z, s.radius}) put(value);
+  } else if (kind == ShapeKind::triangle) {
+    for (const std::uint32_t vertex : scene.triangles[index].vertices) {
+      const Vec3f& p = scene.vertices.positions[vertex];
+      for (const float value : {p.x, p.y, p.z}) put(double{value});
+    }
   } else {
     const Rectangle& r = scene.rectangles[rectangle_index(kind)][index];
     for (const double value : {r.u0, r.u1, r.v0, r.v1, r.k}) put(value);

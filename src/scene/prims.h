@@ -11,6 +11,11 @@ namespace dapple {
 [[nodiscard]] Bounds3f sphere_bounds(const Sphere& sphere);
 [[nodiscard]] Bounds3f rectangle_bounds(ShapeKind kind, const Rectangle& rectangle);
 
+[[nodiscard]] Bounds3f triangle_bounds(const SceneView& scene, const Triangle& triangle);
+// Of any shape.
+[[nodiscard]] Bounds3f shape_bounds(const SceneView& scene, ShapeKind kind, std::size_t index);
+
+// Of all that stands in the world.
 [[nodiscard]] Bounds3f scene_bounds(const SceneView& scene);
 
 // Makes a leaf of no primitives out of `leaf_rows(kind)` rows.

@@ -12,7 +12,6 @@ namespace dapple {
 namespace {
 
 constexpr int kWidth = kWideWidth;
-constexpr std::size_t kMaxLeafRows = 6;
 
 int used_children(const WideNode& node) {
   int used = 0;

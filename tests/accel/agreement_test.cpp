@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Shards, Agreement, ::testing::Range(std::size_t{0}, kSh
 TEST(AgreementOfLargeScenes, OverManyObjects) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     NastyConfig config = nasty_config(9000 + seed);
-    config.shapes = static_cast<Shapes>(seed % 3);
+    config.shapes = static_cast<Shapes>(seed % kShapesCount);
     config.object_count = 30'000;
     config.size = 100;
     config.distance = seed < 3 ? 0 : 1000;

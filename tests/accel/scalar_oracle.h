@@ -25,6 +25,13 @@ class ScalarOracle {
               static_cast<float>(r.v1), static_cast<float>(r.k)}});
       }
     }
+    for (const Triangle& t : scene.triangles) {
+      Prim prim{ShapeKind::triangle, {}};
+      for (std::size_t i = 0; i < 9; ++i) {
+        prim.numbers[i] = scene.vertices.positions[t.vertices[i / 3]][static_cast<int>(i % 3)];
+      }
+      prims_.push_back(prim);
+    }
   }
 
   // All but the hit's lane, which only a structure has.
@@ -43,12 +50,13 @@ class ScalarOracle {
  private:
   struct Prim {
     ShapeKind kind;
-    float numbers[5];
+    float numbers[9];
   };
 
   static float intersect(const PreparedRay& ray, const Prim& prim, float t_max) {
     const float* n = prim.numbers;
     if (prim.kind == ShapeKind::sphere) return intersect_sphere(ray, n[0], n[1], n[2], n[3], t_max);
+    if (prim.kind == ShapeKind::triangle) return intersect_triangle(ray, n, t_max);
     return intersect_rectangle(ray, rectangle_axes(prim.kind), n[0], n[1], n[2], n[3], n[4], t_max);
   }
 

@@ -101,9 +101,17 @@ Scene random_scene(std::mt19937_64& random, int object_count, int material_count
     const Vec3d at = {around(random), around(random), around(random)};
     const double r = size(random);
     const MaterialId material = materials[random() % materials.size()];
-    const auto kind = static_cast<ShapeKind>(random() % (1 + kRectangleKindCount));
+    const auto kind = static_cast<ShapeKind>(random() % (2 + kRectangleKindCount));
     if (kind == ShapeKind::sphere) {
       scene.add_sphere({at, random() % 4 == 0 ? -r : r}, material);
+    } else if (kind == ShapeKind::triangle) {
+      Triangle triangle;
+      for (std::uint32_t& vertex : triangle.vertices) {
+        vertex = static_cast<std::uint32_t>(scene.vertices.positions.size());
+        const Vec3d corner = {at.x + size(random), at.y - size(random), at.z + size(random)};
+        scene.vertices.positions.push_back(Vec3f(corner));
+      }
+      scene.add_triangle(triangle, material);
     } else {
       scene.add_rectangle(kind, {at.x - r, at.x + r, at.y - r, at.y + r, at.z}, material);
     }

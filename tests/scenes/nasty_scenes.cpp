@@ -37,9 +37,51 @@ class Maker {
 
   void add_object() {
     odd_ = between(0, 1) < config_.odd_share;
-    const bool sphere =
-        config_.shapes == Shapes::spheres || (config_.shapes == Shapes::mixture && pick(2) == 0);
-    sphere ? add_sphere() : add_rectangle();
+    switch (config_.shapes) {
+      case Shapes::spheres:
+        return add_sphere();
+      case Shapes::rectangles:
+        return add_rectangle();
+      case Shapes::mixture:
+        return pick(2) == 0 ? add_sphere() : add_rectangle();
+      case Shapes::triangles:
+        return add_triangle();
+      case Shapes::everything:
+        break;
+    }
+    const int kind = pick(4);
+    kind == 0 ? add_sphere() : kind == 1 ? add_rectangle() : add_triangle();
+  }
+
+  std::uint32_t add_vertex(const Vec3d& at) {
+    scene_.vertices.positions.push_back(Vec3f(at));
+    return static_cast<std::uint32_t>(scene_.vertices.positions.size() - 1);
+  }
+  Vec3d step() {
+    return {extent() * (pick(2) - 0.5), extent() * between(-1, 1), extent() * (pick(3) - 1)};
+  }
+
+  void add_triangle() {
+    const Vec3d a(coordinate(), coordinate(), coordinate());
+    const Vec3d b = a + step(), c = a + step();
+    Triangle t{{add_vertex(a), add_vertex(b), add_vertex(c)}};
+    if (!scene_.triangles.empty() && pick(2) == 0) {  // shares an edge, as in a mesh
+      const Triangle& earlier = some_triangle();
+      t.vertices[0] = earlier.vertices[1];
+      t.vertices[1] = earlier.vertices[0];
+    }
+    if (odd_) {
+      const int what = pick(5);
+      if (what == 0) t.vertices[2] = t.vertices[1];  // a line, or a point
+      if (what == 1) t.vertices[2] = add_vertex(0.5 * (a + b) + 1e-6 * step());  // a sliver
+      if (what == 2 && !scene_.triangles.empty()) t = some_triangle();
+      if (what == 3) t.vertices[2] = add_vertex(0.25 * a + 0.75 * b);
+    }
+    scene_.add_triangle(t, material_);
+  }
+  const Triangle& some_triangle() {
+    const auto count = static_cast<int>(scene_.triangles.size());
+    return scene_.triangles[static_cast<std::size_t>(pick(count))];
   }
 
   void add_sphere() {
@@ -113,6 +155,9 @@ class RayMaker {
 
   // A point on, in or at the corner of the box of some object.
   Vec3d point_of_object() {
+    if (!scene_.triangles.empty() && (scene_.runs.size() == 1 || pick(2) == 0)) {
+      return point_of_triangle();
+    }
     const bool sphere = !scene_.spheres.empty() && pick(2) == 0;
     if (sphere) {
       const Sphere& s =
@@ -135,6 +180,19 @@ class RayMaker {
     p[axes.v] = r.v0 + (r.v1 - r.v0) * (corner ? pick(2) : between(0, 1));
     p[axes.k] = r.k;
     return p;
+  }
+
+  // Inside, on an edge or at a vertex.
+  Vec3d point_of_triangle() {
+    const auto count = static_cast<int>(scene_.triangles.size());
+    const Triangle& t = scene_.triangles[static_cast<std::size_t>(pick(count))];
+    const auto vertex = [&](std::size_t i) {
+      return Vec3d(scene_.vertices.positions[t.vertices[i]]);
+    };
+    const int what = pick(4);
+    const double u = what == 0 ? 0 : what == 1 ? pick(2) : between(0, 1);
+    const double v = what == 2 ? 1 - u : between(0, 1 - u);
+    return (1 - u - v) * vertex(0) + u * vertex(1) + v * vertex(2);
   }
 
   // Components that are zero of either sign, or next to it.
@@ -181,7 +239,7 @@ NastyConfig nasty_config(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
   NastyConfig config;
-  config.shapes = static_cast<Shapes>(pick(3));
+  config.shapes = static_cast<Shapes>(pick(kShapesCount));
   config.object_count = kCounts[pick(8)];
   config.size = kSizes[pick(8)];
   config.distance = config.size * kDistances[pick(5)];

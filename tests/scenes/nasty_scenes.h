@@ -11,7 +11,8 @@
 
 namespace dapple::test {
 
-enum class Shapes { spheres, rectangles, mixture };
+enum class Shapes { spheres, rectangles, mixture, triangles, everything };
+inline constexpr std::size_t kShapesCount = 5;
 
 struct NastyConfig {
   Shapes shapes = Shapes::mixture;

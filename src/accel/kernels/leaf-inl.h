@@ -86,9 +86,77 @@ HWY_INLINE LaneHits intersect_rectangles(const PreparedRay& ray, RectangleAxes a
   return {hn::And(hn::Ge(t, near), hn::Le(t, far)), t};
 }
 
+// A coordinate of a triangle's vertices in three rows, and its extent.
+HWY_INLINE FloatVec least_of(const LeafRow* leaf, std::size_t axis, std::size_t i) {
+  return hn::Min(hn::Min(load_row(leaf, axis, i), load_row(leaf, 3 + axis, i)),
+                 load_row(leaf, 6 + axis, i));
+}
+HWY_INLINE FloatVec greatest_of(const LeafRow* leaf, std::size_t axis, std::size_t i) {
+  return hn::Max(hn::Max(load_row(leaf, axis, i), load_row(leaf, 3 + axis, i)),
+                 load_row(leaf, 6 + axis, i));
+}
+
+// The own-box rule for the triangles that passed so far.
+HWY_INLINE LaneHits enter_triangle_boxes(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                         LaneHits hits, FloatVec t_max) {
+  FloatVec near = all(ray.t_min), far = all(Bounds3f::kInfinity);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto row = static_cast<std::size_t>(axis);
+    const FloatVec lo = least_of(leaf, row, i), hi = greatest_of(leaf, row, i);
+    const bool up = ray.inverse[axis] >= 0.0f;
+    near = hn::Max(near, meet(up ? lo : hi, ray, axis));
+    far = hn::Min(far, meet_far(up ? hi : lo, ray, axis));
+  }
+  const FloatVec t = hn::Max(hits.t, near);
+  const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
+  return {hn::And(hits.mask, inside), t};
+}
+
+// Vertices in a ray's own frame.
+struct SeenVertex {
+  FloatVec x, y, z;
+};
+
+HWY_INLINE SeenVertex see_vertex(const PreparedRay& ray, const LeafRow* leaf, std::size_t row,
+                                 std::size_t i) {
+  const std::uint32_t kz = ray.axis, kx = next_axis(kz), ky = next_axis(kx);
+  const FloatVec z = hn::Sub(load_row(leaf, row + kz, i), all(ray.origin[kz]));
+  const FloatVec x = hn::Sub(load_row(leaf, row + kx, i), all(ray.origin[kx]));
+  const FloatVec y = hn::Sub(load_row(leaf, row + ky, i), all(ray.origin[ky]));
+  return {hn::Sub(x, hn::Mul(all(ray.shear[0]), z)), hn::Sub(y, hn::Mul(all(ray.shear[1]), z)), z};
+}
+
+// Triangles [i, i + kLanes) of a leaf.
+HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                        float t_best) {
+  const Floats d;
+  const FloatVec zero = hn::Zero(d);
+  const SeenVertex a = see_vertex(ray, leaf, 0, i);
+  const SeenVertex b = see_vertex(ray, leaf, 3, i);
+  const SeenVertex c = see_vertex(ray, leaf, 6, i);
+  const FloatVec u0 = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
+  const FloatVec u1 = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
+  const FloatVec u2 = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
+  const FloatVec sum = hn::Add(hn::Add(u0, u1), u2);
+  const FloatMask inside = hn::Or(hn::Ge(hn::Min(hn::Min(u0, u1), u2), zero),
+                                  hn::Le(hn::Max(hn::Max(u0, u1), u2), zero));
+  FloatMask mask = hn::And(inside, hn::Gt(hn::Abs(sum), zero));
+  if (hn::AllFalse(d, mask)) return {mask, zero};
+  const FloatVec scale = hn::Div(all(1.0f), sum);
+  const FloatVec z =
+      hn::Add(hn::Add(hn::Mul(hn::Mul(u0, scale), a.z), hn::Mul(hn::Mul(u1, scale), b.z)),
+              hn::Mul(hn::Mul(u2, scale), c.z));
+  const FloatVec t = hn::Mul(z, all(ray.inverse[ray.axis]));
+  const FloatVec t_max = all(t_best);
+  mask = hn::And(mask, hn::And(hn::Ge(t, all(ray.t_min)), hn::Le(t, t_max)));
+  if (hn::AllFalse(d, mask)) return {mask, t};
+  return enter_triangle_boxes(ray, leaf, i, {mask, t}, t_max);
+}
+
 HWY_INLINE LaneHits intersect_lanes(const PreparedRay& ray, ShapeKind kind, const LeafRow* leaf,
                                     std::size_t i, float t_best) {
   if (HWY_LIKELY(kind == ShapeKind::sphere)) return intersect_spheres(ray, leaf, i, t_best);
+  if (HWY_LIKELY(kind == ShapeKind::triangle)) return intersect_triangles(ray, leaf, i, t_best);
   return intersect_rectangles(ray, rectangle_axes(kind), leaf, i, t_best);
 }
 

@@ -1,5 +1,6 @@
 // Accel::locate for one hit a lane, operation for operation.
 #include "accel/accel.h"
+#include "accel/prepared_ray.h"
 #include "math/simd-inl.h"
 
 #if defined(DAPPLE_KERNELS_LOCATE_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -35,8 +36,8 @@ struct LeafWords {
 HWY_INLINE LeafWords leaf_words(const LeafRow* rows, const HitVec& hit) {
   const Words d;
   const WordVec high = hn::And(hit.lane_high, all_words(0x0fffffffu));
-  // The farthest number of a leaf stands four rows on.
-  const WordVec last = hn::Add(hit.lane_low, all_words(4 * kLeafWidth));
+  // The farthest number of a leaf stands less than kMaxLeafRows on.
+  const WordVec last = hn::Add(hit.lane_low, all_words(kMaxLeafRows * kLeafWidth));
   const WordVec outside =
       hn::Or(hn::Or(high, hn::ShiftRight<31>(hit.lane_low)), hn::ShiftRight<31>(last));
   return {rows->words, hit.lane_low, high, hn::AllTrue(d, hn::Eq(outside, hn::Zero(d)))};
@@ -91,17 +92,86 @@ HWY_INLINE SurfacePointVec locate_on_rectangles(const HitVec& hit, const LeafWor
           hn::Mul(all(kPositionError), max_abs_component(position))};
 }
 
+// Components of a vector in the frame of a ray whose largest component is along an axis.
+struct FrameAxes {
+  FloatMask along_x, along_y;  // or else along z
+
+  HWY_INLINE FloatVec3 operator()(FloatVec3 v) const {
+    return {hn::IfThenElse(along_x, v.y, hn::IfThenElse(along_y, v.z, v.x)),
+            hn::IfThenElse(along_x, v.z, hn::IfThenElse(along_y, v.x, v.y)),
+            hn::IfThenElse(along_x, v.x, hn::IfThenElse(along_y, v.y, v.z))};
+  }
+};
+
+HWY_INLINE FrameAxes frame_axes(FloatVec3 direction) {
+  const FloatVec x = hn::Abs(direction.x), y = hn::Abs(direction.y), z = hn::Abs(direction.z);
+  const FloatMask x_over_y = hn::Ge(x, y);
+  return {hn::And(x_over_y, hn::Ge(x, z)), hn::AndNot(x_over_y, hn::Ge(y, z))};
+}
+
+HWY_INLINE SurfacePointVec locate_on_triangles(const HitVec& hit, const LeafWords& leaf) {
+  const FloatVec3 corners[3] = {{leaf_floats(leaf, 0), leaf_floats(leaf, 1), leaf_floats(leaf, 2)},
+                                {leaf_floats(leaf, 3), leaf_floats(leaf, 4), leaf_floats(leaf, 5)},
+                                {leaf_floats(leaf, 6), leaf_floats(leaf, 7), leaf_floats(leaf, 8)}};
+  const FrameAxes axes = frame_axes(hit.direction);
+  const FloatVec3 direction = axes(hit.direction), origin = axes(hit.origin);
+  const FloatVec smallest = all(kSmallestDirection);
+  const FloatVec inverse =
+      hn::Div(all(1.0f), hn::IfThenElse(hn::Lt(hn::Abs(direction.z), smallest),
+                                        hn::CopySign(smallest, direction.z), direction.z));
+  const FloatVec shear_x = hn::Mul(direction.x, inverse);
+  const FloatVec shear_y = hn::Mul(direction.y, inverse);
+  FloatVec x[3], y[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const FloatVec3 seen = axes(corners[i]) - origin;
+    x[i] = hn::Sub(seen.x, hn::Mul(shear_x, seen.z));
+    y[i] = hn::Sub(seen.y, hn::Mul(shear_y, seen.z));
+  }
+  const FloatVec of_a = hn::Sub(hn::Mul(x[2], y[1]), hn::Mul(y[2], x[1]));
+  const FloatVec of_b = hn::Sub(hn::Mul(x[0], y[2]), hn::Mul(y[0], x[2]));
+  const FloatVec of_c = hn::Sub(hn::Mul(x[1], y[0]), hn::Mul(y[1], x[0]));
+  const FloatVec scale = hn::Div(all(1.0f), hn::Add(hn::Add(of_a, of_b), of_c));
+  const FloatVec u = hn::Mul(of_b, scale), v = hn::Mul(of_c, scale);
+  const FloatVec3 to_b = corners[1] - corners[0], to_c = corners[2] - corners[0];
+  const FloatVec size =
+      hn::Div(all(1.0f), larger(max_abs_component(to_b), max_abs_component(to_c)));
+  const FloatVec3 b = size * to_b, c = size * to_c;
+  const FloatVec3 normal = {hn::Sub(hn::Mul(b.y, c.z), hn::Mul(b.z, c.y)),
+                            hn::Sub(hn::Mul(b.z, c.x), hn::Mul(b.x, c.z)),
+                            hn::Sub(hn::Mul(b.x, c.y), hn::Mul(b.y, c.x))};
+  const FloatVec squared = dot(normal, normal);
+  const FloatMask has_digits = hn::Ge(squared, all(kSmallestNormal));
+  const FloatVec largest =
+      larger(larger(max_abs_component(corners[0]), max_abs_component(corners[1])),
+             max_abs_component(corners[2]));
+  return {(corners[0] + u * to_b) + v * to_c,
+          select(has_digits, normal / hn::Sqrt(squared), -normalize(hit.direction)),
+          hn::Mul(all(kTrianglePositionError), largest)};
+}
+
+HWY_INLINE SurfacePointVec select(FloatMask mask, const SurfacePointVec& yes,
+                                  const SurfacePointVec& no) {
+  return {select(mask, yes.position, no.position), select(mask, yes.outward, no.outward),
+          hn::IfThenElse(mask, yes.error, no.error)};
+}
+
 HWY_INLINE SurfacePointVec locate(const LeafRow* rows, const HitVec& hit) {
   const LeafWords leaf = leaf_words(rows, hit);
   const WordVec kind = hn::ShiftRight<28>(hit.lane_high);
   const FloatMask sphere = float_mask(hn::Eq(kind, hn::Zero(Words())));
   if (HWY_LIKELY(hn::AllTrue(Floats(), sphere))) return locate_on_spheres(hit, leaf);
-  const SurfacePointVec flat = locate_on_rectangles(hit, leaf, kind);
-  if (!any(sphere)) return flat;
-  const SurfacePointVec round = locate_on_spheres(hit, leaf);
-  return {select(sphere, round.position, flat.position),
-          select(sphere, round.outward, flat.outward),
-          hn::IfThenElse(sphere, round.error, flat.error)};
+  const auto triangle_kind = static_cast<std::uint32_t>(ShapeKind::triangle);
+  const FloatMask triangle = float_mask(hn::Eq(kind, all_words(triangle_kind)));
+  SurfacePointVec at = locate_on_rectangles(hit, leaf, kind);
+  if (any(triangle)) {
+    // A triangle has more rows than others, which need not exist for a leaf of those.
+    const WordMask words = word_mask(triangle);
+    const LeafWords of_triangles = {leaf.words, hn::IfThenElseZero(words, leaf.low),
+                                    hn::IfThenElseZero(words, leaf.high), leaf.near};
+    at = select(triangle, locate_on_triangles(hit, of_triangles), at);
+  }
+  if (any(sphere)) at = select(sphere, locate_on_spheres(hit, leaf), at);
+  return at;
 }
 
 }  // namespace HWY_NAMESPACE

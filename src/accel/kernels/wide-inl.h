@@ -52,9 +52,9 @@ HWY_INLINE LaneHits enter_boxes(const Search& search, const WideNode& node, std:
   const FloatVec nx = meet(load_floats(floats + search.planes.near[0]), ray, 0);
   const FloatVec ny = meet(load_floats(floats + search.planes.near[1]), ray, 1);
   const FloatVec nz = meet(load_floats(floats + search.planes.near[2]), ray, 2);
-  const FloatVec fx = meet(load_floats(floats + search.planes.far[0]), ray, 0);
-  const FloatVec fy = meet(load_floats(floats + search.planes.far[1]), ray, 1);
-  const FloatVec fz = meet(load_floats(floats + search.planes.far[2]), ray, 2);
+  const FloatVec fx = meet_far(load_floats(floats + search.planes.far[0]), ray, 0);
+  const FloatVec fy = meet_far(load_floats(floats + search.planes.far[1]), ray, 1);
+  const FloatVec fz = meet_far(load_floats(floats + search.planes.far[2]), ray, 2);
   const FloatVec entry = hn::Max(hn::Max(nx, ny), hn::Max(nz, all(ray.t_min)));
   const FloatVec exit = hn::Min(hn::Min(fx, fy), hn::Min(fz, all(search.best.t)));
   return {hn::Le(entry, exit), entry};
