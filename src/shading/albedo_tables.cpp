@@ -42,7 +42,8 @@ float refraction_albedo(float cosine, float roughness, float eta) {
   const Place row = place(roughness, kRefractionRoughnesses);
   const Place column = place(root_of_cosine(cosine), kRefractionCosines);
   constexpr float kScale = (kLargestEta + 1) / (kLargestEta - 1);
-  const Place sheet = place(kScale * std::fabs(eta - 1.0f) / (eta + 1.0f), kRefractionEtas);
+  const Place sheet = place(kScale * std::fabs(eta - 1.0f) / (eta + 1.0f),
+                            eta > 1.0f ? kRefractionInEtas : kRefractionOutEtas);
   const std::uint16_t* data = eta > 1.0f ? kRefractionInData : kRefractionOutData;
   constexpr std::size_t kSheet = kRefractionRoughnesses * kRefractionCosines;
   const std::uint16_t* near = data + sheet.index * kSheet;

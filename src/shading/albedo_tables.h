@@ -27,7 +27,7 @@ struct ReflectionAlbedo {
 // square root of the cosine, and in |eta - 1| / (eta + 1) up to kLargestEta; cosines vary fastest.
 inline constexpr std::size_t kAlbedoCosines = 32, kAlbedoRoughnesses = 32;
 inline constexpr std::size_t kRefractionCosines = 16, kRefractionRoughnesses = 16;
-inline constexpr std::size_t kRefractionEtas = 8;
+inline constexpr std::size_t kRefractionInEtas = 8, kRefractionOutEtas = 16;
 inline constexpr std::size_t kSheenCosines = 32, kSheenRoughnesses = 16;
 inline constexpr float kLargestEta = 3.0f;
 inline constexpr float kSheenScale = 4.0f;          // what 65535 stands for: narrow sheen exceeds 1
@@ -38,8 +38,8 @@ extern const std::uint16_t kReflectionBiasData[kAlbedoRoughnesses * kAlbedoCosin
 extern const std::uint16_t kSheenData[kSheenRoughnesses * kSheenCosines];
 // Into the denser side, and out of it.
 extern const std::uint16_t
-    kRefractionInData[kRefractionEtas * kRefractionRoughnesses * kRefractionCosines];
+    kRefractionInData[kRefractionInEtas * kRefractionRoughnesses * kRefractionCosines];
 extern const std::uint16_t
-    kRefractionOutData[kRefractionEtas * kRefractionRoughnesses * kRefractionCosines];
+    kRefractionOutData[kRefractionOutEtas * kRefractionRoughnesses * kRefractionCosines];
 
 }  // namespace dapple

@@ -11,7 +11,7 @@ namespace dapple {
 
 class SheenDistribution {
  public:
-  static constexpr float kLeastRoughness = 0.07f;  // below it the lobe is narrower than a pixel
+  static constexpr float kLeastRoughness = 0.1f;  // narrower lobes are seen by none
 
   explicit SheenDistribution(float roughness) {
     const float r = std::max(roughness, kLeastRoughness);

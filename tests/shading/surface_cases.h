@@ -6,6 +6,8 @@
 
 #include "math/fast_functions.h"
 #include "shading/bsdf_builder.h"
+#include "shading/colour.h"
+#include "shading/fresnel.h"
 
 namespace dapple::test {
 
@@ -46,7 +48,8 @@ inline std::vector<SurfaceCase> surface_cases(float roughness) {
   const auto glass = [](LayeredPoint& p) { p.transmission = 1, p.thin = false; };
   add("glass from outside", glass);
   add("glass from inside", glass, false);
-  add("dense glass from outside", [&](LayeredPoint& p) { glass(p), p.ior = 2.4f; });
+  add("dense glass from outside",
+      [&](LayeredPoint& p) { glass(p), p.ior = 2.4f, p.dielectric_f0 = grey(f0_of_ior(p.ior)); });
   add("half glass", [&](LayeredPoint& p) { glass(p), p.transmission = 0.5f; });
   add("leaf", [](LayeredPoint& p) { p.diffuse_transmission = 0.6f; });
   add("everything", [&](LayeredPoint& p) {

@@ -1,5 +1,5 @@
 // Writes the C++ source of the tables that shading/albedo_tables.h declares into a folder:
-// albedo_data_reflection.cpp, albedo_data_refraction.cpp and albedo_data_sheen.cpp.
+// albedo_data_reflection.cpp, _refraction_in.cpp, _refraction_out.cpp and _sheen.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace dapple;
 
-constexpr int kGrid = 512;
+constexpr int kGrid = 384;
 
 float node(std::size_t i, std::size_t count) {
   return static_cast<float>(i) / static_cast<float>(count - 1);
@@ -53,8 +53,9 @@ void write(const std::string& path, const std::string& definitions) {
 
 std::vector<unsigned> refraction(bool out) {
   std::vector<unsigned> values;
-  for (std::size_t i = 0; i < kRefractionEtas; ++i) {
-    const float s = node(i, kRefractionEtas) * (kLargestEta - 1) / (kLargestEta + 1);
+  const std::size_t etas = out ? kRefractionOutEtas : kRefractionInEtas;
+  for (std::size_t i = 0; i < etas; ++i) {
+    const float s = node(i, etas) * (kLargestEta - 1) / (kLargestEta + 1);
     const float eta = (1 + s) / (1 - s);
     append(values, kRefractionRoughnesses, kRefractionCosines, [&](float c, float r) {
       return integrate_refraction(c, r, out ? 1 / eta : eta, kGrid / 2);
@@ -80,8 +81,12 @@ int main(int argc, char** argv) {
             definition("kReflectionBiasData", "kAlbedoRoughnesses * kAlbedoCosines", bias));
   write(folder + "/albedo_data_sheen.cpp",
         definition("kSheenData", "kSheenRoughnesses * kSheenCosines", sheen));
-  const char* size = "kRefractionEtas * kRefractionRoughnesses * kRefractionCosines";
-  write(folder + "/albedo_data_refraction.cpp",
-        definition("kRefractionInData", size, refraction(false)) +
-            definition("kRefractionOutData", size, refraction(true)));
+  write(folder + "/albedo_data_refraction_in.cpp",
+        definition("kRefractionInData",
+                   "kRefractionInEtas * kRefractionRoughnesses * kRefractionCosines",
+                   refraction(false)));
+  write(folder + "/albedo_data_refraction_out.cpp",
+        definition("kRefractionOutData",
+                   "kRefractionOutEtas * kRefractionRoughnesses * kRefractionCosines",
+                   refraction(true)));
 }
