@@ -16,25 +16,17 @@ const LayeredMaterial* MaterialEvaluator::layered(MaterialId material) const {
 }
 
 Bsdf MaterialEvaluator::make_bsdf(MaterialId material, const SurfaceInteraction& at,
-                                  const Vec3f& wo, DispersionChannel) const {
+                                  const Vec3f& wo, DispersionChannel dispersion) const {
   BsdfBuilder builder(at, wo);
-  if (const LayeredMaterial* m = layered(material)) {
-    const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
-    const Vec4f mr =
-        textures_.lookup(m->map(MapUse::metallic_roughness), MapUse::metallic_roughness, at);
-    builder.metallic_roughness(m->base_colour * base.xyz() * at.colour.xyz(), m->metallic * mr.z,
-                               m->roughness * mr.y);
-  } else {
-    builder.classic(scene_.materials[index_of(material)]);
-  }
-  return builder.build();
+  const LayeredMaterial* m = layered(material);
+  if (m == nullptr) return builder.classic(scene_.materials[index_of(material)]);
+  return builder.layered(layered_point(*m, at, textures_), dispersion);
 }
 
 float MaterialEvaluator::opacity(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr || m->alpha_mode == AlphaMode::opaque) return 1;
-  const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
-  const float alpha = m->alpha * base.w * at.colour.w;
+  const float alpha = base_colour(*m, at, textures_).w;
   if (m->alpha_mode == AlphaMode::mask) return alpha >= m->alpha_cutoff ? 1.0f : 0.0f;
   return std::clamp(alpha, 0.0f, 1.0f);
 }
@@ -63,8 +55,7 @@ bool MaterialEvaluator::is_unlit(MaterialId material) const {
 Vec3f MaterialEvaluator::unlit_colour(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr) return {};
-  const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
-  return m->base_colour * base.xyz() * at.colour.xyz();
+  return base_colour(*m, at, textures_).xyz();
 }
 
 bool MaterialEvaluator::has_interior(MaterialId material) const {

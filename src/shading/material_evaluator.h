@@ -3,17 +3,12 @@
 
 #include "scene/scene_view.h"
 #include "shading/bsdf.h"
+#include "shading/bsdf_builder.h"
 #include "shading/medium.h"
 #include "shading/surface_interaction.h"
 #include "shading/texture_set.h"
 
 namespace dapple {
-
-// Which colour channel's index of refraction a path follows through dispersive surfaces.
-struct DispersionChannel {
-  int channel = 0;     // 0 to 2, uniformly random per path
-  bool alone = false;  // the path carries no other (BsdfSample::one_channel)
-};
 
 // The scene and the textures must outlive this. All calls may come from many threads.
 class MaterialEvaluator {
