@@ -6,6 +6,7 @@
 #include <array>
 #include <new>
 
+#include "import/gltf/gltf.h"
 #include "util/mapped_file.h"
 
 namespace dapple {
@@ -19,8 +20,12 @@ struct ImportFormat {
   Import import;
 };
 
+bool is_glb(std::string_view head) { return head.starts_with("glTF"); }
+
 // A new format is one line here.
-constexpr std::array<ImportFormat, 0> kFormats{};
+constexpr ImportFormat kFormats[] = {
+    {{".gltf", ".glb"}, is_glb, import_gltf},
+};
 
 constexpr std::size_t kHeadBytes = 512;
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstring>
 
+#include "import/scene_extent.h"
 #include "import/vertex_arrays.h"
 #include "scene/validate.h"
 #include "util/hash.h"
@@ -193,13 +194,47 @@ void SceneBuilder::add_cylinder(const Cylinder& cylinder, MaterialId material) {
   scene_.cylinder_materials.push_back(material);
 }
 
+void SceneBuilder::add_point(const Vec3d& position, MaterialId material) {
+  if (is_point(Vec3f(position))) {
+    points_.push_back({position, material});
+  } else {
+    ++left_out_.not_finite;
+  }
+}
+
+void SceneBuilder::add_line(const Vec3d& begin, const Vec3d& end, MaterialId material) {
+  if (!is_point(Vec3f(begin)) || !is_point(Vec3f(end))) {
+    ++left_out_.not_finite;
+  } else if (begin == end) {
+    ++left_out_.without_area;
+  } else {
+    lines_.push_back({begin, end, material});
+  }
+}
+
+void SceneBuilder::add_points_and_lines(double radius) {
+  if (points_.empty() && lines_.empty()) return;
+  if (!(radius > 0)) {
+    Extent extent = extent_of(scene_, prototype_triangles_);
+    for (const Point& point : points_) extent.include(point.position);
+    for (const Line& line : lines_) {
+      extent.include(line.begin);
+      extent.include(line.end);
+    }
+    const double diagonal = extent.diagonal();
+    radius = diagonal > 0 ? diagonal / 500 : 1;
+  }
+  for (const Point& point : points_) add_sphere(point.position, radius, point.material);
+  for (const Line& line : lines_) add_cylinder({line.begin, line.end, radius}, line.material);
+}
+
 void SceneBuilder::add_camera(std::string_view name, const Camera& camera) {
   scene_.cameras.push_back({camera_name(name), camera});
 }
 
 bool SceneBuilder::is_empty() const {
   return scene_.triangles.empty() && scene_.instances.empty() && scene_.spheres.empty() &&
-         scene_.cylinders.empty();
+         scene_.cylinders.empty() && points_.empty() && lines_.empty();
 }
 
 Status SceneBuilder::choose_camera(const std::string& wanted) {
@@ -242,8 +277,9 @@ void SceneBuilder::count_runs() {
   run(ShapeKind::instance, scene_.instances.size());
 }
 
-Expected<Scene> SceneBuilder::finish(const std::string& camera) {
+Expected<Scene> SceneBuilder::finish(const std::string& camera, double point_radius) {
   if (auto chosen = choose_camera(camera); !chosen) return tl::unexpected(chosen.error());
+  add_points_and_lines(point_radius);
   const auto world_triangles = static_cast<std::uint32_t>(scene_.triangles.size());
   for (Prototype& prototype : scene_.prototypes) prototype.first_triangle += world_triangles;
   scene_.triangles.insert(scene_.triangles.end(), prototype_triangles_.begin(),

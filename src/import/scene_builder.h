@@ -41,6 +41,10 @@ class SceneBuilder {
 
   void add_sphere(const Vec3d& centre, double radius, MaterialId material);
   void add_cylinder(const Cylinder& cylinder, MaterialId material);
+  // Points and lines without a thickness of their own: spheres and cylinders, as thick as finish()
+  // is told or finds fitting.
+  void add_point(const Vec3d& position, MaterialId material);
+  void add_line(const Vec3d& begin, const Vec3d& end, MaterialId material);
   void add_light(const Light& light) { scene_.lights.push_back(light); }
   void add_camera(std::string_view name, const Camera& camera);
 
@@ -54,14 +58,16 @@ class SceneBuilder {
 
   Environment& environment() { return scene_.environment; }
 
-  // `camera` is the name or index of the one to use; empty: the first.
-  [[nodiscard]] Expected<Scene> finish(const std::string& camera);
+  // `camera` is the name or index of the one to use; empty: the first. `point_radius` 0: 1/500 of
+  // the diagonal of the box around everything.
+  [[nodiscard]] Expected<Scene> finish(const std::string& camera, double point_radius = 0);
 
  private:
   [[nodiscard]] Status add_vertices(const Vertices& vertices);
   void add_triangles(const MeshData& mesh, std::uint32_t first_vertex,
                      std::vector<Triangle>& triangles, std::vector<MaterialId>& materials);
   [[nodiscard]] Status choose_camera(const std::string& camera);
+  void add_points_and_lines(double radius);
   void count_runs();
 
   ByteBudget budget_;
@@ -70,6 +76,16 @@ class SceneBuilder {
   std::vector<MaterialId> prototype_materials_;
   std::unordered_multimap<std::uint64_t, MaterialId> material_of_hash_;
   std::unordered_multimap<std::uint64_t, ImageId> image_of_hash_;
+  struct Point {
+    Vec3d position;
+    MaterialId material;
+  };
+  struct Line {
+    Vec3d begin, end;
+    MaterialId material;
+  };
+  std::vector<Point> points_;
+  std::vector<Line> lines_;
   LeftOut left_out_;
   TextureId magenta_ = kNoTexture;
 };

@@ -1,0 +1,62 @@
+#include "import/gltf/gltf.h"
+
+#include <fmt/format.h>
+
+#include "import/gltf/lights_cameras.h"
+#include "import/gltf/meshes.h"
+
+namespace dapple {
+namespace gltf {
+namespace {
+
+void report_left_out(const Context& context) {
+  const auto& left_out = context.builder.left_out();
+  if (left_out.without_area > 0) {
+    context.warn("",
+                 fmt::format("{} triangles have no area and are left out", left_out.without_area));
+  }
+  if (left_out.not_finite > 0) {
+    context.warn("", fmt::format("{} triangles have corners that are not finite or beyond 1e18 and "
+                                 "are left out",
+                                 left_out.not_finite));
+  }
+}
+
+Status fill(const Context& context) {
+  if (auto known = check_variant(context); !known) return known;
+  const std::vector<NodePose> poses = stored_poses(context.document);
+  const auto nodes = place_nodes(context, poses);
+  if (!nodes) return tl::unexpected(nodes.error());
+  const auto everywhere = world_transforms(context, poses);
+  if (!everywhere) return tl::unexpected(everywhere.error());
+
+  auto buffers = Buffers::load(context);
+  if (!buffers) return tl::unexpected(buffers.error());
+  const auto textures = Textures::load(context, *buffers);
+  if (!textures) return tl::unexpected(textures.error());
+  Accessors accessors(*buffers);
+  Materials materials(context, *textures);
+  return Meshes(context, accessors, materials)
+      .add(*nodes, poses, *everywhere)
+      .and_then([&] { return add_cameras(context, *nodes); })
+      .and_then([&] { return add_lights(context, *nodes); });
+}
+
+}  // namespace
+}  // namespace gltf
+
+Expected<ImportResult> import_gltf(const std::string& path, const ImportOptions& options) {
+  const auto document = gltf::Document::open(path);
+  if (!document) return tl::unexpected(document.error());
+  SceneBuilder builder(options.max_bytes);
+  ImportLog log;
+  const gltf::Context context{*document, options, builder, log};
+  if (auto filled = gltf::fill(context); !filled) return tl::unexpected(filled.error());
+  gltf::report_left_out(context);
+  if (builder.is_empty()) context.warn("", "the scene shows nothing");
+  auto scene = builder.finish(options.camera, options.point_radius);
+  if (!scene) return tl::unexpected(scene.error());
+  return ImportResult{std::move(*scene), log.take()};
+}
+
+}  // namespace dapple

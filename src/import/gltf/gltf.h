@@ -1,0 +1,15 @@
+// glTF 2.0, as .gltf or .glb.
+#pragma once
+
+#include <string>
+
+#include "import/import_options.h"
+#include "import/import_result.h"
+#include "util/error.h"
+
+namespace dapple {
+
+[[nodiscard]] Expected<ImportResult> import_gltf(const std::string& path,
+                                                 const ImportOptions& options);
+
+}  // namespace dapple
