@@ -130,7 +130,14 @@ Status Verifier::lay_out() {
   limits_.emplace(view, table_.elements<MaterialRecord>(SectionType::materials).size());
   view.bvh.nodes = table_.elements<WideNode>(SectionType::bvh_nodes);
   view.bvh.rows = table_.elements<LeafRow>(SectionType::bvh_leaves);
-  if (view.object_count() > kMaxObjectCount) {
+  // Counts of objects take the prototypes, so these come first.
+  const std::size_t bad =
+      first_invalid(view, *limits_, SceneArray::prototypes, 0, view.prototypes.size());
+  if (bad < view.prototypes.size()) {
+    report(*table_.find(SectionType::prototypes), SceneArray::prototypes, bad);
+    return faults_.status();
+  }
+  if (prim_count(view) > kMaxObjectCount) {
     return damaged_at(sizeof(FileHeader), fmt::format("more than {} objects", kMaxObjectCount));
   }
   if (view.bvh.nodes.empty() != view.bvh.rows.empty()) {
