@@ -8,6 +8,7 @@
 
 #include "import/gltf/gltf.h"
 #include "import/obj/obj.h"
+#include "import/pbrt/pbrt.h"
 #include "import/ply/ply.h"
 #include "import/stl/stl.h"
 #include "util/mapped_file.h"
@@ -32,6 +33,7 @@ bool is_ply(std::string_view head) {
 constexpr ImportFormat kFormats[] = {
     {{".gltf", ".glb"}, is_glb, import_gltf},
     {{".obj"}, nullptr, import_obj},
+    {{".pbrt"}, nullptr, import_pbrt},
     {{".ply"}, is_ply, import_ply},
     {{".stl"}, nullptr, import_stl},
 };
