@@ -1,6 +1,8 @@
 // What comes out of an import.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +12,8 @@ namespace dapple {
 
 struct ImportResult {
   Scene scene;
-  std::vector<std::string> warnings;  // a line each, with their place
+  std::vector<std::string> warnings;             // a line each, with their place
+  std::optional<std::array<int, 2>> resolution;  // width and height that the file asks for
 };
 
 }  // namespace dapple
