@@ -4,6 +4,7 @@
 
 #include "math/fast_functions.h"
 #include "shading/bsdf_builder.h"
+#include "shading/colour.h"
 
 namespace dapple {
 
@@ -38,13 +39,18 @@ bool MaterialEvaluator::may_be_transparent(MaterialId material) const {
 
 Vec3f MaterialEvaluator::emission(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
-  if (m == nullptr) return {};
+  if (m == nullptr || m->emission == Vec3f()) return {};
   return m->emission * textures_.lookup(m->map(MapUse::emissive), MapUse::emissive, at).xyz();
+}
+
+Vec3f MaterialEvaluator::greatest_emission(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m == nullptr ? Vec3f() : m->emission;
 }
 
 bool MaterialEvaluator::is_emissive(MaterialId material) const {
   const LayeredMaterial* m = layered(material);
-  return m != nullptr && (m->emission.x > 0 || m->emission.y > 0 || m->emission.z > 0);
+  return m != nullptr && (max_component(m->emission) > 0);
 }
 
 bool MaterialEvaluator::is_unlit(MaterialId material) const {

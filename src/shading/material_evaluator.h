@@ -26,6 +26,7 @@ class MaterialEvaluator {
   // Radiance, the same from both sides and in every direction.
   Vec3f emission(MaterialId material, const SurfaceInteraction& at) const;
   bool is_emissive(MaterialId material) const;
+  Vec3f greatest_emission(MaterialId material) const;  // where its texture is white
 
   // Shows its base colour whatever the light: the path ends here with unlit_colour() as radiance.
   bool is_unlit(MaterialId material) const;
