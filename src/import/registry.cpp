@@ -11,6 +11,7 @@
 #include "import/pbrt/pbrt.h"
 #include "import/ply/ply.h"
 #include "import/stl/stl.h"
+#include "scene/validate.h"
 #include "util/mapped_file.h"
 
 namespace dapple {
@@ -80,7 +81,13 @@ Expected<const ImportFormat*> format_of(const std::string& path) {
 Expected<ImportResult> import_scene(const std::string& path, const ImportOptions& options) try {
   const auto format = format_of(path);
   if (!format) return tl::unexpected(format.error());
-  return (*format)->import(path, options);
+  auto result = (*format)->import(path, options);
+  if (!result) return result;
+  // Whatever an importer overlooks ends here, not in a picture.
+  if (auto valid = validate(result->scene); !valid) {
+    return fail(valid.error().code, path + ", " + valid.error().place, valid.error().message);
+  }
+  return result;
 } catch (const std::bad_alloc&) {
   return fail(Errc::memory, path, "out of memory during import");
 }

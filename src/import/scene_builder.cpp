@@ -116,6 +116,11 @@ Status SceneBuilder::add_vertices(const Vertices& vertices) {
   }
   if (auto taken = budget_.take(count, kMaxVertexBytes, "vertices"); !taken) return taken;
   append_vertices(vertices, scene_.vertices);
+  // Triangles with such corners are left out; the corners must be points all the same.
+  auto& positions = scene_.vertices.positions;
+  std::replace_if(
+      positions.end() - static_cast<std::ptrdiff_t>(count), positions.end(),
+      [](const Vec3f& p) { return !is_point(p); }, Vec3f());
   return {};
 }
 

@@ -21,6 +21,7 @@ struct Extent {
 
 // Of all shapes, while the prototypes' triangles still lie apart. Instances count by the corners of
 // their prototype's box.
-[[nodiscard]] Extent extent_of(const Scene& scene, const std::vector<Triangle>& prototype_triangles);
+[[nodiscard]] Extent extent_of(const Scene& scene,
+                               const std::vector<Triangle>& prototype_triangles);
 
 }  // namespace dapple

@@ -1,8 +1,10 @@
 #include "math/functions.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace dapple {
@@ -130,6 +132,17 @@ double binary_exp(double x) {
 double power(double x, double y) {
   if (!(x >= std::numeric_limits<double>::min())) return 0;
   return binary_exp(y * binary_log(x));
+}
+
+// Polynomial 4.4.46 of Abramowitz and Stegun; error below 2e-8.
+double arc_cosine(double x) {
+  const double a = std::clamp(std::fabs(x), 0.0, 1.0);
+  constexpr double kCoefficients[] = {1.5707963050, -0.2145988016, 0.0889789874, -0.0501743046,
+                                      0.0308918810, -0.0170881256, 0.0066700901, -0.0012624911};
+  double sum = 0;
+  for (std::size_t i = std::size(kCoefficients); i-- > 0;) sum = sum * a + kCoefficients[i];
+  const double angle = std::sqrt(1 - a) * sum;
+  return x < 0 ? 3.14159265358979323846 - angle : angle;
 }
 
 }  // namespace dapple

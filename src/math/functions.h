@@ -29,4 +29,7 @@ struct SinCos {
 // x^y for finite x >= 0 and y > 0, by the two above; relative error below 1e-15 (1 + |y log2 x|).
 [[nodiscard]] double power(double x, double y);
 
+// Radians in [0, pi]; x is clamped to [-1, 1]; error below 3e-8.
+[[nodiscard]] double arc_cosine(double x);
+
 }  // namespace dapple

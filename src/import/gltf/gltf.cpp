@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "import/gltf/animation.h"
 #include "import/gltf/lights_cameras.h"
 #include "import/gltf/meshes.h"
 
@@ -24,17 +25,21 @@ void report_left_out(const Context& context) {
 
 Status fill(const Context& context) {
   if (auto known = check_variant(context); !known) return known;
-  const std::vector<NodePose> poses = stored_poses(context.document);
+  auto buffers = Buffers::load(context);
+  if (!buffers) return tl::unexpected(buffers.error());
+  Accessors accessors(*buffers);
+  std::vector<NodePose> poses = stored_poses(context.document);
+  if (context.options.time) {
+    const Status moved = animate(context, accessors, *context.options.time, poses);
+    if (!moved) return moved;
+  }
   const auto nodes = place_nodes(context, poses);
   if (!nodes) return tl::unexpected(nodes.error());
   const auto everywhere = world_transforms(context, poses);
   if (!everywhere) return tl::unexpected(everywhere.error());
 
-  auto buffers = Buffers::load(context);
-  if (!buffers) return tl::unexpected(buffers.error());
   const auto textures = Textures::load(context, *buffers);
   if (!textures) return tl::unexpected(textures.error());
-  Accessors accessors(*buffers);
   Materials materials(context, *textures);
   return Meshes(context, accessors, materials)
       .add(*nodes, poses, *everywhere)

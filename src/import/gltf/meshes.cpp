@@ -41,12 +41,9 @@ std::optional<Transformf> rounded_transform(const Transformd& m) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 4; ++j) {
       rounded.rows[i][j] = static_cast<float>(m.rows[i][j]);
-      if (!(std::fabs(m.rows[i][j]) <= kMaxCoordinate)) return std::nullopt;
     }
   }
-  const float scale = determinant(rounded);
-  if (scale == 0 || !std::isfinite(scale)) return std::nullopt;
-  return rounded;
+  return is_valid(rounded) ? std::optional(rounded) : std::nullopt;
 }
 
 // Points and lines have no surface of their own that a texture could lie on: colours of vertices
