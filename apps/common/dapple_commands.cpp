@@ -34,6 +34,7 @@ CommandInfo bench() {
                   seed_option(),
                   threads_option(),
                   trust_option(),
+                  copy_option(),
                   json_option("Print the figures as JSON"),
                   help_option()},
       .examples = {{"dapple bench irreg:1000", "The default structure on a million spheres."},
@@ -89,6 +90,7 @@ CommandInfo convert() {
                   {.name = "no-bvh", .help = "Store the scene alone: a smaller file"},
                   threads_option(),
                   trust_option(),
+                  copy_option(),
                   quiet_option(),
                   help_option()},
       .examples = {{"dapple convert spheres:10000000 -o cloud.scene",
@@ -104,7 +106,8 @@ CommandInfo info() {
       .paragraphs = {"Prints the camera, the counts and every object of SCENE, as text or as "
                      "JSON."},
       .arguments = {scene_argument()},
-      .options = {json_option("Print the whole scene as JSON"), trust_option(), help_option()},
+      .options = {json_option("Print the whole scene as JSON"), trust_option(), copy_option(),
+                  help_option()},
       .examples = {{"dapple info nice", "A named scene as text."},
                    {"dapple info --json my.scene | jq .counts", "How much is in a file?"}},
   };
@@ -177,8 +180,9 @@ CommandInfo render() {
     command.options.insert(command.options.end(), list.begin(), list.end());
   }
   for (const OptionInfo& option :
-       {trust_option(), json_option("Print settings and times as JSON on standard output"),
-        quiet_option(), help_option()}) {
+       {trust_option(), copy_option(),
+        json_option("Print settings and times as JSON on standard output"), quiet_option(),
+        help_option()}) {
     command.options.push_back(option);
   }
   return command;

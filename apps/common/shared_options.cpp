@@ -27,6 +27,13 @@ OptionInfo trust_option() {
               "all the same"};
 }
 
+OptionInfo copy_option() {
+  return {.name = "copy",
+          .help =
+              "Copy scene files into memory before they are checked, for files "
+              "that somebody else may change meanwhile"};
+}
+
 OptionInfo seed_option() {
   return {.name = "seed",
           .kind = ValueKind::integer,

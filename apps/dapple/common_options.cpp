@@ -17,6 +17,7 @@ Expected<SceneInput> open_scene(const Arguments& arguments, VerifyScope scope,
                                 const ImportOptions& import) {
   VerifyOptions options;
   options.hashes = !arguments.given("trust");
+  options.copy = arguments.given("copy");
   options.scope = scope;
   auto input = open_scene_input(arguments.text("SCENE"), options, import);
   if (!input) return input;

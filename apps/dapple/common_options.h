@@ -9,8 +9,8 @@ namespace dapple {
 // --threads, and what the environment says about kernels.
 [[nodiscard]] Status set_up_computing(const Arguments& arguments);
 
-// SCENE, read as --trust and, where the command has them, the options of imports say. Warnings of
-// an import are printed.
+// SCENE, read as --trust, --copy and, where the command has them, the options of imports say.
+// Warnings of an import are printed.
 [[nodiscard]] Expected<SceneInput> open_scene(const Arguments& arguments,
                                               VerifyScope scope = VerifyScope::everything,
                                               const ImportOptions& import = {});
