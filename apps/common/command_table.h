@@ -12,6 +12,7 @@ namespace dapple {
 enum class ValueKind {
   flag,         // no value: given or not
   integer,      // a decimal integer in [low, high]
+  integers,     // such integers, separated by commas
   number,       // a decimal number, at least 0
   choice,       // one of `choices`
   input_file,   // an existing file

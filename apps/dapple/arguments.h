@@ -26,6 +26,8 @@ class Arguments {
   std::string text(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
   int small_integer(std::string_view name) const;  // for options whose range fits an int
+  // Of an option that takes several, of which the table says that they fit an int.
+  std::vector<int> integers(std::string_view name) const;
   double number(std::string_view name) const;
   // Everything that was given, else the default alone.
   std::vector<std::string> texts(std::string_view name) const;
