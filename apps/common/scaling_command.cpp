@@ -54,7 +54,9 @@ CommandInfo scaling_command() {
            "and objects for building.",
            "Every configuration runs once to warm up and then once a round, in turn, with threads "
            "tied to cores. Times are medians; intervals hold 95 % of 2000 bootstrap draws of "
-           "rounds. Amdahl's law is fitted to strong and Gustafson's to weak scaling, over the "
+           "rounds. A run during which others had more than a twentieth of the machine is repeated "
+           "while there is patience. Amdahl's law is fitted to strong and Gustafson's to weak "
+           "scaling, over the "
            "points that have a core for each thread.",
            "The folder receives points.csv (times, speed-ups, efficiencies, load imbalance), "
            "fits.csv (serial fractions), threads.csv (busy time of each thread of each run), "
@@ -84,6 +86,14 @@ CommandInfo scaling_command() {
                    .default_value = "7",
                    .low = 1,
                    .high = 1000},
+                  {.name = "patience",
+                   .kind = ValueKind::integer,
+                   .value = "SECONDS",
+                   .help = "Time in all to wait until other programs are quiet, and to repeat "
+                           "runs that they disturbed",
+                   .default_value = "30",
+                   .low = 0,
+                   .high = 86400},
                   {.name = "no-pin", .help = "Leave threads to the system's scheduler"}},
       .examples = {{"dapple scaling -o scaling", "Everything, on as many threads as processors."},
                    {"dapple scaling --threads 1,2,4,8 --repeat 15 -o box rgbbox",

@@ -24,6 +24,7 @@ StudySettings study_settings(const Arguments& arguments) {
   settings.threads = arguments.given("threads") ? tidy_thread_counts(arguments.integers("threads"))
                                                 : default_thread_counts(thread_count());
   settings.rounds = arguments.small_integer("repeat");
+  settings.patience = static_cast<double>(arguments.integer("patience"));
   settings.pin = !arguments.given("no-pin");
   return settings;
 }
@@ -79,11 +80,11 @@ Expected<Result> measure(const Workloads& workloads, const BaseWork& base,
   Result result;
   result.base = base;
   result.machine = describe_machine();
-  const ActivityMeter meter;
   auto measurements =
       run_study(workloads, settings, [](std::size_t, std::size_t) { return check_stop(); });
   if (!measurements) return tl::unexpected(measurements.error());
-  meter.finish(result.machine);
+  result.machine.load_after = load_average();
+  result.machine.activity = mean_activity(*measurements);
   result.measurements = std::move(*measurements);
   result.curves = make_curves(result.measurements, result.machine.cores);
   result.warnings = find_warnings(result.curves, result.measurements, result.machine, settings.pin);

@@ -56,7 +56,8 @@ std::string fits_csv(const Result& result) {
 }
 
 std::string threads_csv(const Result& result) {
-  std::string text = "work,threads,factor,round,wall,cpu,thread,busy_wall,busy_cpu,pieces\n";
+  std::string text =
+      "work,threads,factor,round,wall,cpu,other_cores,thread,busy_wall,busy_cpu,pieces\n";
   const Measurements& m = result.measurements;
   for (std::size_t i = 0; i < m.plan.size(); ++i) {
     const Configuration& c = m.plan[i];
@@ -64,9 +65,9 @@ std::string threads_csv(const Result& result) {
       const Sample& sample = m.samples[i][round];
       for (std::size_t thread = 0; thread < sample.busy.size(); ++thread) {
         const BusyTime& busy = sample.busy[thread];
-        text += fmt::format("{},{},{},{},{:.6f},{:.6f},{},{:.6f},{:.6f},{}\n", work_name(c.work),
-                            c.threads, c.factor, round, sample.wall, sample.cpu, thread, busy.wall,
-                            busy.cpu, busy.pieces);
+        text += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.3f},{},{:.6f},{:.6f},{}\n",
+                            work_name(c.work), c.threads, c.factor, round, sample.wall, sample.cpu,
+                            sample.activity.cores(), thread, busy.wall, busy.cpu, busy.pieces);
       }
     }
   }
@@ -87,10 +88,11 @@ std::string machine_csv(const Result& result) {
   add("isa", m.isa);
   add("load_before", fmt::format("{:.2f}", m.load_before));
   add("load_after", fmt::format("{:.2f}", m.load_after));
-  add("other_cores", fmt::format("{:.3f}", m.other_cores));
-  add("stolen_cores", fmt::format("{:.3f}", m.stolen_cores));
+  add("other_cores", fmt::format("{:.3f}", m.activity.other_cores));
+  add("stolen_cores", fmt::format("{:.3f}", m.activity.stolen_cores));
   add("pinned", fmt::format("{}", yes(result.measurements.pinned)));
   add("rounds", fmt::format("{}", result.measurements.rounds));
+  add("repeated", fmt::format("{}", result.measurements.repeated));
   add("scene", result.base.scene);
   add("width", fmt::format("{}", result.base.width));
   add("height", fmt::format("{}", result.base.height));

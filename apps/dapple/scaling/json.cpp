@@ -29,8 +29,8 @@ ordered_json to_json(const Machine& m) {
           {"isa", m.isa},
           {"load_before", m.load_before},
           {"load_after", m.load_after},
-          {"other_cores", m.other_cores},
-          {"stolen_cores", m.stolen_cores}};
+          {"other_cores", m.activity.other_cores},
+          {"stolen_cores", m.activity.stolen_cores}};
 }
 
 ordered_json to_json(const Point& p) {
@@ -65,7 +65,10 @@ ordered_json to_json(const Configuration& c, const std::vector<Sample>& samples)
     for (const BusyTime& thread : sample.busy) {
       busy.push_back({{"wall", thread.wall}, {"cpu", thread.cpu}, {"pieces", thread.pieces}});
     }
-    runs.push_back({{"wall", sample.wall}, {"cpu", sample.cpu}, {"busy", std::move(busy)}});
+    runs.push_back({{"wall", sample.wall},
+                    {"cpu", sample.cpu},
+                    {"other_cores", sample.activity.cores()},
+                    {"busy", std::move(busy)}});
   }
   return {{"work", work_name(c.work)},
           {"threads", c.threads},
@@ -81,6 +84,7 @@ std::string to_json_text(const Result& result) {
                        {"machine", to_json(result.machine)},
                        {"pinned", m.pinned},
                        {"rounds", m.rounds},
+                       {"repeated", m.repeated},
                        {"warnings", result.warnings},
                        {"curves", ordered_json::array()},
                        {"measurements", ordered_json::array()}};

@@ -1,7 +1,9 @@
-// On what machine a study ran, and what else ran there meanwhile.
+// On what machine a study ran.
 #pragma once
 
 #include <string>
+
+#include "dapple/scaling/activity.h"
 
 namespace dapple::scaling {
 
@@ -13,26 +15,12 @@ struct Machine {
   std::string system;
   std::string isa;                         // the kernels' instruction set
   double load_before = 0, load_after = 0;  // mean number of runnable threads of the last minute
-  double other_cores = 0;                  // cores that other processes kept busy, on average
-  double stolen_cores = 0;  // cores that the host gave to other virtual machines, on average
+  Activity activity;                       // of others, during the runs that count
 };
 
+// As it is now; the load after the study and the activity during it are for the caller to add.
 [[nodiscard]] Machine describe_machine();
-
-// From its making to finish().
-class ActivityMeter {
- public:
-  ActivityMeter();
-  // Fills in load_after and the cores that others had.
-  void finish(Machine& machine) const;
-
- private:
-  struct Reading {
-    double wall = 0, own = 0, busy = 0, stolen = 0;  // seconds; the last two of all processors
-  };
-  static Reading read();
-
-  Reading start_;
-};
+// Mean number of runnable threads of the last minute, this process included.
+[[nodiscard]] double load_average();
 
 }  // namespace dapple::scaling

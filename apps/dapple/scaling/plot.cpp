@@ -11,8 +11,8 @@ namespace dapple::scaling {
 namespace {
 
 // Everything in pixels of a picture of this size.
-constexpr double kWidth = 560, kHeight = 400;
-constexpr double kLeft = 64, kRight = 16, kTop = 36, kBottom = 78;
+constexpr double kWidth = 560, kHeight = 420;
+constexpr double kLeft = 64, kRight = 16, kTop = 36, kBottom = 112;
 constexpr double kLegendRow = 16;
 
 constexpr std::array<const char*, 4> kDashes = {"none", "7 4", "2 3", "9 3 2 3"};
@@ -181,18 +181,25 @@ class Svg {
   }
 
   void draw_legend() {
-    double y = kTop + 14;
-    for (std::size_t i = 0; i < plot_.series.size(); ++i, y += kLegendRow) {
-      segment(kLeft + 10, y - 4, kLeft + 44, y - 4, "black", 1.6, kDashes[i % kDashes.size()]);
-      mark(i, kLeft + 27, y - 4);
-      label(kLeft + 50, y, plot_.series[i].label, "start");
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+      const auto [x, y] = legend_place(entry++);
+      segment(x, y - 4, x + 34, y - 4, "black", 1.6, kDashes[i % kDashes.size()]);
+      mark(i, x + 17, y - 4);
+      label(x + 40, y, plot_.series[i].label, "start");
     }
     for (const PlotGuide& guide : plot_.guides) {
       if (guide.label.empty()) continue;
-      segment(kLeft + 10, y - 4, kLeft + 44, y - 4, "#888888");
-      label(kLeft + 50, y, guide.label, "start");
-      y += kLegendRow;
+      const auto [x, y] = legend_place(entry++);
+      segment(x, y - 4, x + 34, y - 4, "#888888");
+      label(x + 40, y, guide.label, "start");
     }
+  }
+
+  // Two columns below the axis.
+  static std::array<double, 2> legend_place(std::size_t entry) {
+    return {kLeft + static_cast<double>(entry % 2) * (kWidth - kLeft) / 2,
+            kHeight - kBottom + 56 + static_cast<double>(entry / 2) * kLegendRow};
   }
 
   const Plot& plot_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "dapple/scaling/activity.h"
 #include "parallel/thread_times.h"
 
 namespace dapple::scaling {
@@ -12,6 +13,7 @@ struct Sample {
   double wall = 0;             // seconds
   double cpu = 0;              // seconds of all threads of the process together
   std::vector<BusyTime> busy;  // thread by thread
+  Activity activity;           // of others meanwhile; the study fills it in
 
   // The longest busy time of a thread over the mean: 1 when all end together.
   double imbalance() const {

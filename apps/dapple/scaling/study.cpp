@@ -1,7 +1,10 @@
 #include "dapple/scaling/study.h"
 
+#include <chrono>
 #include <optional>
+#include <thread>
 
+#include "common/clock.h"
 #include "parallel/parallel.h"
 #include "parallel/pinning.h"
 
@@ -29,11 +32,40 @@ class Team {
   std::optional<PinnedTeam> pinned_team_;
 };
 
+// How long the study may still wait or repeat.
+class Patience {
+ public:
+  explicit Patience(double seconds) : left_(seconds) {}
+
+  bool over() const { return left_ <= 0; }
+  void spend(double seconds) { left_ -= seconds; }
+
+  static bool disturbed(const Activity& activity, std::size_t cores) {
+    return activity.cores() > kDisturbed * static_cast<double>(cores);
+  }
+
+  void wait_until_quiet(std::size_t cores) {
+    while (!over()) {
+      const Clock clock;
+      const ActivityMeter meter;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      if (!disturbed(meter.elapsed(), cores)) return;
+      spend(clock.seconds());
+    }
+  }
+
+ private:
+  double left_;
+};
+
 class Study {
  public:
   Study(const std::vector<std::unique_ptr<Workload>>& workloads, const StudySettings& settings,
         const StudyProgress& progress)
-      : workloads_(workloads), settings_(settings), progress_(progress) {
+      : workloads_(workloads),
+        settings_(settings),
+        progress_(progress),
+        patience_(settings.patience) {
     std::vector<WorkKind> works;
     for (const auto& workload : workloads) works.push_back(workload->kind());
     result_.plan = make_plan(works, settings.threads);
@@ -60,11 +92,25 @@ class Study {
           !status) {
         return status;
       }
-      auto sample = run_once(result_.plan[turn]);
+      const Configuration& configuration = result_.plan[turn];
+      auto sample = round < 0 ? run_once(configuration) : run_undisturbed(configuration);
       if (!sample) return tl::unexpected(sample.error());
       if (round >= 0) result_.samples[turn].push_back(std::move(*sample));
     }
     return {};
+  }
+
+  Expected<Sample> run_undisturbed(const Configuration& configuration) {
+    patience_.wait_until_quiet(cores_);
+    auto best = run_once(configuration);
+    while (best && Patience::disturbed(best->activity, cores_) && !patience_.over()) {
+      auto again = run_once(configuration);
+      if (!again) return again;
+      patience_.spend(again->wall);
+      ++result_.repeated;
+      if (again->activity.cores() < best->activity.cores()) best = std::move(again);
+    }
+    return best;
   }
 
   Expected<Sample> run_once(const Configuration& configuration) {
@@ -74,7 +120,10 @@ class Study {
     if (auto status = workload.prepare(configuration.factor); !status) {
       return tl::unexpected(status.error());
     }
-    return workload.run(configuration.factor);
+    const ActivityMeter meter;
+    auto sample = workload.run(configuration.factor);
+    if (sample) sample->activity = meter.elapsed();
+    return sample;
   }
 
   Workload& workload_of(WorkKind kind) const {
@@ -86,11 +135,27 @@ class Study {
   const std::vector<std::unique_ptr<Workload>>& workloads_;
   const StudySettings& settings_;
   const StudyProgress& progress_;
+  Patience patience_;
+  std::size_t cores_ = allowed_cores().size();
   Measurements result_;
   std::size_t done_ = 0;
 };
 
 }  // namespace
+
+Activity mean_activity(const Measurements& measurements) {
+  Activity mean;
+  double seconds = 0;
+  for (const auto& runs : measurements.samples) {
+    for (const Sample& run : runs) {
+      mean.other_cores += run.activity.other_cores * run.wall;
+      mean.stolen_cores += run.activity.stolen_cores * run.wall;
+      seconds += run.wall;
+    }
+  }
+  if (seconds == 0) return {};
+  return {mean.other_cores / seconds, mean.stolen_cores / seconds};
+}
 
 Expected<Measurements> run_study(const std::vector<std::unique_ptr<Workload>>& workloads,
                                  const StudySettings& settings, const StudyProgress& progress) {

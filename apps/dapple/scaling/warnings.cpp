@@ -65,11 +65,11 @@ std::vector<std::string> find_warnings(const std::vector<Curve>& curves,
                "{} of {} times are uncertain by more than {:.0f} %, {} by {:.0f} %: the machine is "
                "too noisy, or the runs are too short or too few",
                noise.noisy, noise.points, 100 * kNoisy, noise.where, 100 * noise.worst);
-  warnings.add(machine.other_cores > kOtherCores, "other programs kept {:.2f} cores busy meanwhile",
-               machine.other_cores);
-  warnings.add(machine.stolen_cores > kOtherCores,
+  warnings.add(machine.activity.other_cores > kOtherCores,
+               "other programs kept {:.2f} cores busy meanwhile", machine.activity.other_cores);
+  warnings.add(machine.activity.stolen_cores > kOtherCores,
                "the host took {:.2f} cores of this virtual machine away meanwhile",
-               machine.stolen_cores);
+               machine.activity.stolen_cores);
   return warnings.take();
 }
 

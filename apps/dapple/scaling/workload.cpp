@@ -23,8 +23,11 @@ double process_cpu_seconds() {
 class SampleClock {
  public:
   Sample sample(const ThreadTimes& times) const {
-    const double wall = clock_.seconds();
-    return {wall, process_cpu_seconds() - cpu_start_, times.busy()};
+    Sample sample;
+    sample.wall = clock_.seconds();
+    sample.cpu = process_cpu_seconds() - cpu_start_;
+    sample.busy = times.busy();
+    return sample;
   }
 
  private:
