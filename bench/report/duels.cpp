@@ -94,7 +94,7 @@ Status measure(const Workload& work, CsvFile& csv) {
   csv.add(work.name, work.scene, objects, work.width, work.samples, rays, digits(1e3 * ray_prepare),
           digits(1e9 * ray_each), digits(1e3 * ray_total), digits(1e3 * bvh_prepare),
           digits(1e9 * bvh_each), digits(1e3 * bvh_total), digits(ray_total / bvh_total),
-          digits(break_even), too_long ? 1 : 0);
+          digits(bvh_total / ray_total), digits(break_even), too_long ? 1 : 0);
   return {};
 }
 
@@ -103,7 +103,7 @@ Status measure(const Workload& work, CsvFile& csv) {
 Status study_duels(const std::string& folder) {
   CsvFile csv({"workload", "scene", "objects", "side", "samples", "rays", "ray_prepare_ms",
                "ray_ns_per_ray", "ray_total_ms", "bvh_prepare_ms", "bvh_ns_per_ray", "bvh_total_ms",
-               "gain", "break_even_rays", "ray_from_small_picture"});
+               "gain", "loss", "break_even_rays", "ray_from_small_picture"});
   for (const Workload& work : kWorkloads) {
     if (auto status = measure(work, csv); !status) return status;
   }

@@ -18,7 +18,7 @@ struct Picture {
 // Those of the cache simulation, so that its counts can be divided by these rays.
 constexpr Picture kPictures[] = {
     {"nice", 48, 4},  {"nice", 48, 8},  {"rgbbox", 48, 4},         {"rgbbox", 48, 8},
-    {"irreg", 48, 4}, {"irreg", 48, 8}, {"spheres:200000", 24, 4}, {"spheres:200000", 24, 8},
+    {"irreg", 48, 4}, {"irreg", 48, 8}, {"spheres:200000", 12, 4}, {"spheres:200000", 12, 8},
 };
 
 Status measure(const Picture& p, CsvFile& csv) {
