@@ -94,6 +94,9 @@ CommandInfo scaling_command() {
                    .default_value = "30",
                    .low = 0,
                    .high = 86400},
+                  {.name = "guard",
+                   .help = "Keep other programs off the cores that a run does not use, by threads "
+                           "that do nothing there"},
                   {.name = "no-pin", .help = "Leave threads to the system's scheduler"}},
       .examples = {{"dapple scaling -o scaling", "Everything, on as many threads as processors."},
                    {"dapple scaling --threads 1,2,4,8 --repeat 15 -o box rgbbox",

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -25,6 +26,7 @@ StudySettings study_settings(const Arguments& arguments) {
                                                 : default_thread_counts(thread_count());
   settings.rounds = arguments.small_integer("repeat");
   settings.patience = static_cast<double>(arguments.integer("patience"));
+  settings.guard = arguments.given("guard");
   settings.pin = !arguments.given("no-pin");
   return settings;
 }
@@ -75,13 +77,37 @@ Status check_sizes(const BaseWork& base, const StudySettings& study) {
   return {};
 }
 
+// How many runs are done, on standard error when that is a terminal; gone when it is.
+class RunCounter {
+ public:
+  explicit RunCounter(bool wanted) : enabled_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+  ~RunCounter() {
+    if (enabled_) print_message("\r\033[K");
+  }
+  RunCounter(const RunCounter&) = delete;
+  RunCounter& operator=(const RunCounter&) = delete;
+
+  void update(std::size_t done, std::size_t total) const {
+    if (enabled_) print_message(fmt::format("\r{} of {} runs\033[K", done, total));
+  }
+
+ private:
+  bool enabled_;
+};
+
 Expected<Result> measure(const Workloads& workloads, const BaseWork& base,
-                         const StudySettings& settings) {
+                         const StudySettings& settings, bool show_progress) {
   Result result;
   result.base = base;
   result.machine = describe_machine();
-  auto measurements =
-      run_study(workloads, settings, [](std::size_t, std::size_t) { return check_stop(); });
+  const auto run = [&] {
+    const RunCounter counter(show_progress);
+    return run_study(workloads, settings, [&](std::size_t done, std::size_t total) {
+      counter.update(done, total);
+      return check_stop();
+    });
+  };
+  auto measurements = run();
   if (!measurements) return tl::unexpected(measurements.error());
   result.machine.load_after = load_average();
   result.machine.activity = mean_activity(*measurements);
@@ -120,7 +146,7 @@ Expected<int> run_scaling(const Arguments& arguments) {
   SceneView scene = source->view();
   scene.bvh = {};  // the tree of every machine is the one built here
   const Workloads workloads = make_workloads(arguments, scene, base);
-  const auto result = measure(workloads, base, settings);
+  const auto result = measure(workloads, base, settings, !arguments.given("quiet"));
   if (!result) return tl::unexpected(result.error());
   if (auto status = write_files(*result, folder); !status) return tl::unexpected(status.error());
   return report_result(*result, arguments).map([] { return 0; });

@@ -43,8 +43,8 @@ class RowRenderer {
       : paths_(scene, camera, settings), settings_(settings) {}
 
   void render(int row) const {
-    TileSums sums({0, row, settings_.width, row + 1});
-    paths_.render({0, settings_.samples_per_pixel}, sums);
+    TileOutput output{TileSums({0, row, settings_.width, row + 1}), std::nullopt};
+    paths_.render({0, settings_.samples_per_pixel}, output);
   }
 
   void render_timed(int row, Run& run) const {

@@ -23,16 +23,9 @@ values() { awk -v prefix="$1" -v keys="$2" -f values.awk "data/$3"; }
   values layout 1 layout.csv
 } >"$work/values.tex"
 
-# median COLUMN SCENE: of neighbours.csv.
-median() {
-  awk -F, -v c="$1" -v scene="$2" '$1 == scene { print $c }' data/neighbours.csv | sort -g |
-    awk '{ v[NR] = $1 } END { print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2 }'
-}
-for scene in irreg rgbbox; do
-  echo "$(median 3 $scene) $(median 4 $scene)" |
-    awk -v s=$scene '{ printf "\\setvalue{neighbours/%s}{%.4f}\n", s, $2 / $1
-                       printf "\\setvalue{neighbours/%s/limit}{%.4f}\n", s, 2 * $1 / $2 }'
-done >>"$work/values.tex"
+awk -F, 'NR > 1 { printf "\\setvalue{neighbours/%s}{%.4f}\n", $1, $3 / $2
+                  printf "\\setvalue{neighbours/%s/limit}{%.4f}\n", $1, 2 * $2 / $3 }' \
+  data/neighbours.csv >>"$work/values.tex"
 
 # Processor time outside the parallel loop on one thread, and what Amdahl's law makes of it alone.
 for scene in irreg rgbbox; do
@@ -89,6 +82,12 @@ for study in irreg rgbbox build; do
       >"$work/$study-$(echo "$curve" | tr , -).csv"
   done
 done
+
+# excerpt NAME FILE FIRST LAST: lines of the code, from one pattern to the next that follows.
+excerpt() { sed -n "/$3/,/$4/p" "../../$2" >"$work/$1.txt"; }
+excerpt loop src/parallel/parallel.cpp '^#pragma omp parallel$' '^  }$'
+excerpt unit src/render/render_job.cpp 'const auto render_unit' 'parallel_for_dynamic'
+excerpt static bench/report/schedules.cpp '^#pragma omp parallel for schedule(static)' 'render_timed'
 
 # The text may only speak of code that is there: \src{FILE}{NAME}.
 grep -o '\\src{[^}]*}{[^}]*}' report.tex | sed 's/\\src{\([^}]*\)}{\([^}]*\)}/\1 \2/; s/\\//g' |

@@ -1,6 +1,8 @@
 // `dapple scaling` from outside.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
@@ -73,6 +75,25 @@ TEST(ScalingCommand, WrongUsageIsExit64) {
         << testing::PrintToString(command);
     EXPECT_EQ(result.out, "");
   }
+}
+
+TEST(ScalingCommand, ASignalEndsItAndLeavesNoTables) {
+  const TestFolder folder;
+  RunningProgram running(folder, {"dapple", "scaling", "-o", "out", "--repeat=1000"},
+                         RunningProgram::ErrorStream::pipe);
+  ASSERT_TRUE(running.wait_until_caught(SIGINT));
+  running.send(SIGINT);
+  EXPECT_EQ(running.finish().exit_code, 75);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out/points.csv")));
+}
+
+TEST(ScalingCommand, ShowsItsProgressOnATerminal) {
+  const TestFolder folder;
+  RunningProgram running(folder, {"dapple", "scaling", "-o", "out", "--repeat=1000"},
+                         RunningProgram::ErrorStream::terminal);
+  ASSERT_TRUE(running.read_error_until("0 of "));
+  running.send(SIGTERM);
+  EXPECT_EQ(running.finish().exit_code, 75);
 }
 
 TEST(ScalingCommand, AFolderThatCannotBeIsKnownBeforeTheStudy) {

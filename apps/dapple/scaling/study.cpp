@@ -1,10 +1,12 @@
 #include "dapple/scaling/study.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <thread>
 
 #include "common/clock.h"
+#include "dapple/scaling/core_guard.h"
 #include "parallel/parallel.h"
 #include "parallel/pinning.h"
 
@@ -44,14 +46,14 @@ class Patience {
     return activity.cores() > kDisturbed * static_cast<double>(cores);
   }
 
-  void wait_until_quiet(std::size_t cores) {
-    while (!over()) {
-      const Clock clock;
-      const ActivityMeter meter;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      if (!disturbed(meter.elapsed(), cores)) return;
-      spend(clock.seconds());
-    }
+  // Looks at the machine for a moment.
+  bool finds_quiet(std::size_t cores) {
+    const Clock clock;
+    const ActivityMeter meter;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (!disturbed(meter.elapsed(), cores)) return true;
+    spend(clock.seconds());
+    return false;
   }
 
  private:
@@ -88,22 +90,26 @@ class Study {
     const std::size_t size = result_.plan.size();
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t turn = (i + static_cast<std::size_t>(round + 1)) % size;
-      if (auto status = progress_(done_++, size * static_cast<std::size_t>(settings_.rounds + 1));
-          !status) {
-        return status;
-      }
+      if (auto status = report_progress(); !status) return status;
       const Configuration& configuration = result_.plan[turn];
       auto sample = round < 0 ? run_once(configuration) : run_undisturbed(configuration);
       if (!sample) return tl::unexpected(sample.error());
       if (round >= 0) result_.samples[turn].push_back(std::move(*sample));
+      ++done_;
     }
     return {};
   }
 
+  Status report_progress() const {
+    return progress_(done_, result_.plan.size() * static_cast<std::size_t>(settings_.rounds + 1));
+  }
+
   Expected<Sample> run_undisturbed(const Configuration& configuration) {
-    patience_.wait_until_quiet(cores_);
+    while (!patience_.over() && !patience_.finds_quiet(cores_.size())) {
+      if (auto status = report_progress(); !status) return tl::unexpected(status.error());
+    }
     auto best = run_once(configuration);
-    while (best && Patience::disturbed(best->activity, cores_) && !patience_.over()) {
+    while (best && Patience::disturbed(best->activity, cores_.size()) && !patience_.over()) {
       auto again = run_once(configuration);
       if (!again) return again;
       patience_.spend(again->wall);
@@ -120,10 +126,21 @@ class Study {
     if (auto status = workload.prepare(configuration.factor); !status) {
       return tl::unexpected(status.error());
     }
+    const CoreGuard guard(unused_cores(configuration.threads));
+    const double guard_start = guard.cpu_seconds();
     const ActivityMeter meter;
     auto sample = workload.run(configuration.factor);
-    if (sample) sample->activity = meter.elapsed();
+    if (!sample) return sample;
+    sample->activity = meter.elapsed();
+    sample->cpu -= guard.cpu_seconds() - guard_start;
     return sample;
+  }
+
+  // Threads are tied to the first cores.
+  std::vector<int> unused_cores(int threads) const {
+    const auto used = std::min(static_cast<std::size_t>(threads), cores_.size());
+    if (!settings_.guard || !settings_.pin) return {};
+    return {cores_.begin() + static_cast<std::ptrdiff_t>(used), cores_.end()};
   }
 
   Workload& workload_of(WorkKind kind) const {
@@ -136,7 +153,7 @@ class Study {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   Patience patience_;
-  std::size_t cores_ = allowed_cores().size();
+  std::vector<int> cores_ = allowed_cores();
   Measurements result_;
   std::size_t done_ = 0;
 };

@@ -13,6 +13,7 @@ struct StudySettings {
   std::vector<int> threads = {1};  // as tidy_thread_counts() leaves them
   int rounds = 5;
   bool pin = true;
+  bool guard = false;  // keep other programs off the cores that a run does not use
   // Seconds in all for waiting until the machine is quiet and for repeating disturbed runs.
   double patience = 0;
 };
@@ -32,7 +33,8 @@ inline constexpr double kDisturbed = 0.05;
 // The mean over all runs, by their length.
 [[nodiscard]] Activity mean_activity(const Measurements& measurements);
 
-// Called before each run with the number of runs done and of all; an error ends the study.
+// Called before each run, and while waiting, with the number of runs done and of all; an error ends
+// the study.
 using StudyProgress = std::function<Status(std::size_t done, std::size_t total)>;
 
 // One round that does not count warms caches, pages and threads. Each round runs every
