@@ -53,7 +53,8 @@ CommandInfo scaling_command() {
            "samples per pixel for the renderings, which leaves every path as likely as before, "
            "and objects for building.",
            "Every configuration runs once to warm up and then once a round, in turn, with threads "
-           "tied to cores. Times are medians; intervals hold 95 % of 2000 bootstrap draws of "
+           "tied to cores. Times and ratios within a round are medians; intervals hold 95 % of "
+           "2000 bootstrap draws of "
            "rounds. A run during which others had more than a twentieth of the machine is repeated "
            "while there is patience. Amdahl's law is fitted to strong and Gustafson's to weak "
            "scaling, over the "
@@ -94,9 +95,6 @@ CommandInfo scaling_command() {
                    .default_value = "30",
                    .low = 0,
                    .high = 86400},
-                  {.name = "guard",
-                   .help = "Keep other programs off the cores that a run does not use, by threads "
-                           "that do nothing there"},
                   {.name = "no-pin", .help = "Leave threads to the system's scheduler"}},
       .examples = {{"dapple scaling -o scaling", "Everything, on as many threads as processors."},
                    {"dapple scaling --threads 1,2,4,8 --repeat 15 -o box rgbbox",

@@ -26,7 +26,6 @@ StudySettings study_settings(const Arguments& arguments) {
                                                 : default_thread_counts(thread_count());
   settings.rounds = arguments.small_integer("repeat");
   settings.patience = static_cast<double>(arguments.integer("patience"));
-  settings.guard = arguments.given("guard");
   settings.pin = !arguments.given("no-pin");
   return settings;
 }

@@ -5,7 +5,7 @@
 set -eu
 build=$(cd "${1:?usage: measure.sh BUILD_DIR [quick]}" && pwd)
 cd "$(dirname "$0")"
-rounds=7
+rounds=15
 patience=10
 if [ "${2-}" = quick ]; then
   rounds=2
@@ -27,36 +27,35 @@ scaling() {
   shift 2
   echo "scaling: $name"
   "$build/apps/dapple" scaling "$scene" -o "$scratch/$name" --quiet --threads 1,2,4 \
-    --repeat $rounds --patience $patience --guard "$@"
+    --repeat $rounds --patience $patience "$@"
   mkdir -p "data/$name"
   for table in points fits threads machine; do
     cp "$scratch/$name/$table.csv" "data/$name/$table.csv"
   done
 }
 
-scaling irreg irreg --width 480 --height 480 --spp 2 --bvh-spp 24 --work ray --work ray_bvh
-scaling rgbbox rgbbox --width 480 --height 480 --spp 4 --bvh-spp 8 --work ray --work ray_bvh
-scaling build rgbbox --work build --objects 1000000
+scaling irreg irreg --width 320 --height 320 --spp 2 --bvh-spp 24 --work ray --work ray_bvh
+scaling rgbbox rgbbox --width 320 --height 320 --spp 4 --bvh-spp 8 --work ray --work ray_bvh
+scaling build rgbbox --work build --objects 500000
 
 # The machine's own limit: what one thread loses when the other core is busy with a process that
 # shares nothing with it. Cores that are threads of one, or share a cache or a clock budget, show here.
+seconds() { # CORE SCENE SAMPLES
+  OMP_NUM_THREADS=1 taskset -c "$1" "$build/apps/ray_bvh" "$scratch/core$1.ppm" 320 320 "$3" "$2" |
+    sed -n 's/^Rendering in \(.*\)s\.$/\1/p'
+}
 echo "neighbours"
-echo "scene,alone,beside_another" >data/neighbours.csv
-seconds() { awk -F, '$1 == "ray_bvh" && $2 == "strong" && $3 == 1 { print $4 }' "$1/points.csv"; }
+echo "scene,round,alone,beside_another" >data/neighbours.csv
 for scene in irreg rgbbox; do
-  # An own session would be a group of its own for the system, with its own priority.
-  (while [ ! -e "$scratch/enough" ]; do
-    OMP_NUM_THREADS=1 taskset -c 1 "$build/apps/ray_bvh" "$scratch/other.ppm" 480 480 16 $scene
-  done) >/dev/null &
-  neighbour=$!
-  "$build/apps/dapple" scaling $scene -o "$scratch/beside" --quiet --threads 1 --repeat $rounds \
-    --patience 0 --work ray_bvh --width 480 --height 480 \
-    --bvh-spp $([ $scene = irreg ] && echo 24 || echo 8) 2>/dev/null
-  touch "$scratch/enough"
-  wait $neighbour
-  rm "$scratch/enough"
-  echo "$scene,$(seconds data/$scene),$(seconds "$scratch/beside")" >>data/neighbours.csv
-done
+  for round in $(seq $rounds); do
+    alone=$(seconds 0 $scene 16)
+    seconds 1 $scene 64 >/dev/null &
+    sleep 0.1
+    beside=$(seconds 0 $scene 16)
+    wait $!
+    echo "$scene,$round,$alone,$beside"
+  done
+done >>data/neighbours.csv
 
 echo "schedules, duels, memory per ray, file layout"
 "$build/bench/bench_report" --folder data

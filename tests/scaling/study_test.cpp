@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "parallel/parallel.h"
 #include "parallel/pinning.h"
 #include "scene_file/scene_source.h"
@@ -63,33 +60,6 @@ TEST(Study, ThreadsWanderWhenNotTied) {
   const auto m = run_study(workloads, settings, go_on);
   ASSERT_TRUE(m);
   EXPECT_FALSE(m->pinned);
-}
-
-TEST(Study, AGuardsProcessorTimeIsNotTheRuns) {
-  class Idler final : public Workload {
-   public:
-    WorkKind kind() const override { return WorkKind::ray; }
-    Status prepare(int) override { return {}; }
-    Expected<Sample> run(int) override {
-      Sample sample;
-      sample.wall = sample.cpu = 1;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      return sample;
-    }
-  };
-  const bool is_core_left = allowed_cores().size() > 1;
-  std::vector<std::unique_ptr<Workload>> workloads;
-  workloads.push_back(std::make_unique<Idler>());
-  StudySettings settings;
-  settings.rounds = 1;
-  settings.guard = true;
-  const auto guarded = run_study(workloads, settings, go_on);
-  settings.guard = false;
-  const auto alone = run_study(workloads, settings, go_on);
-  ASSERT_TRUE(guarded && alone);
-  // What the guard had meanwhile is taken off.
-  EXPECT_EQ(guarded->samples[0][0].cpu < 1, is_core_left);
-  EXPECT_EQ(alone->samples[0][0].cpu, 1);
 }
 
 TEST(Study, AnErrorOfTheProgressEndsIt) {

@@ -66,6 +66,21 @@ TEST(Summary, NoiseWidensTheIntervalAndWarns) {
   EXPECT_NE(warnings[0].find("uncertain by more than 5 %"), std::string::npos);
 }
 
+TEST(Summary, WhatSlowsAWholeRoundLeavesTheSpeedUpAlone) {
+  Measurements m = made_up_runs({WorkKind::ray}, {1, 2}, 9, 0.1);
+  for (auto& runs : m.samples) {
+    for (std::size_t round = 0; round < 9; ++round) {
+      runs[round].wall *= 1 + static_cast<double>(round);
+    }
+  }
+  const auto curves = make_curves(m, 2);
+  for (const Curve& curve : curves) {
+    EXPECT_NEAR(curve.serial_fraction->low, 0.1, kRounding);
+    EXPECT_NEAR(curve.serial_fraction->high, 0.1, kRounding);
+    EXPECT_GT(curve.points[1].seconds.uncertainty(), kNoisy);
+  }
+}
+
 TEST(Summary, OtherLoadFewRoundsAndRefusedPinningWarn) {
   Measurements m = made_up_runs({WorkKind::ray}, {1, 2}, 2, 0);
   m.pinned = false;

@@ -1,12 +1,10 @@
 #include "dapple/scaling/study.h"
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <thread>
 
 #include "common/clock.h"
-#include "dapple/scaling/core_guard.h"
 #include "parallel/parallel.h"
 #include "parallel/pinning.h"
 
@@ -105,11 +103,11 @@ class Study {
   }
 
   Expected<Sample> run_undisturbed(const Configuration& configuration) {
-    while (!patience_.over() && !patience_.finds_quiet(cores_.size())) {
+    while (!patience_.over() && !patience_.finds_quiet(cores_)) {
       if (auto status = report_progress(); !status) return tl::unexpected(status.error());
     }
     auto best = run_once(configuration);
-    while (best && Patience::disturbed(best->activity, cores_.size()) && !patience_.over()) {
+    while (best && Patience::disturbed(best->activity, cores_) && !patience_.over()) {
       auto again = run_once(configuration);
       if (!again) return again;
       patience_.spend(again->wall);
@@ -126,21 +124,10 @@ class Study {
     if (auto status = workload.prepare(configuration.factor); !status) {
       return tl::unexpected(status.error());
     }
-    const CoreGuard guard(unused_cores(configuration.threads));
-    const double guard_start = guard.cpu_seconds();
     const ActivityMeter meter;
     auto sample = workload.run(configuration.factor);
-    if (!sample) return sample;
-    sample->activity = meter.elapsed();
-    sample->cpu -= guard.cpu_seconds() - guard_start;
+    if (sample) sample->activity = meter.elapsed();
     return sample;
-  }
-
-  // Threads are tied to the first cores.
-  std::vector<int> unused_cores(int threads) const {
-    const auto used = std::min(static_cast<std::size_t>(threads), cores_.size());
-    if (!settings_.guard || !settings_.pin) return {};
-    return {cores_.begin() + static_cast<std::ptrdiff_t>(used), cores_.end()};
   }
 
   Workload& workload_of(WorkKind kind) const {
@@ -153,7 +140,7 @@ class Study {
   const StudySettings& settings_;
   const StudyProgress& progress_;
   Patience patience_;
-  std::vector<int> cores_ = allowed_cores();
+  std::size_t cores_ = allowed_cores().size();
   Measurements result_;
   std::size_t done_ = 0;
 };

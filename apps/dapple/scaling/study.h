@@ -13,7 +13,6 @@ struct StudySettings {
   std::vector<int> threads = {1};  // as tidy_thread_counts() leaves them
   int rounds = 5;
   bool pin = true;
-  bool guard = false;  // keep other programs off the cores that a run does not use
   // Seconds in all for waiting until the machine is quiet and for repeating disturbed runs.
   double patience = 0;
 };

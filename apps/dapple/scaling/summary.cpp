@@ -29,17 +29,15 @@ class CurveStatistic {
 
   std::vector<double> operator()(std::span<const std::size_t> rounds) const {
     std::vector<double> figures;
-    const double one_wall = median_of(*points_[0].runs, rounds, &wall);
-    const double one_cpu = median_of(*points_[0].runs, rounds, &cpu);
+    const Runs& one = *points_[0].runs;
     std::vector<SpeedupPoint> in_fit;
     for (const auto& [threads, runs] : points_) {
       const double work = mode_ == Mode::strong ? 1 : threads;
-      const double seconds = median_of(*runs, rounds, &wall);
-      const double cpu_seconds = median_of(*runs, rounds, &cpu);
-      const double speedup = work * one_wall / seconds;
+      const double speedup = work * median_ratio(one, *runs, rounds, &wall);
       figures.insert(figures.end(),
-                     {seconds, speedup, speedup / threads, median_of(*runs, rounds, &imbalance),
-                      cpu_seconds, work * one_cpu / cpu_seconds});
+                     {median_of(*runs, rounds, &wall), speedup, speedup / threads,
+                      median_of(*runs, rounds, &imbalance), median_of(*runs, rounds, &cpu),
+                      work * median_ratio(one, *runs, rounds, &cpu)});
       if (threads <= cores_) in_fit.push_back({static_cast<double>(threads), speedup});
     }
     const auto serial = mode_ == Mode::strong ? fit_amdahl(in_fit) : fit_gustafson(in_fit);
@@ -65,6 +63,16 @@ class CurveStatistic {
     std::vector<double> values;
     for (const std::size_t round : rounds) values.push_back(figure(runs[round]));
     return median(std::move(values));
+  }
+
+  // Of runs of the same round: what the machine's speed was in that round cancels out.
+  static double median_ratio(const Runs& above, const Runs& below,
+                             std::span<const std::size_t> rounds, double (*figure)(const Sample&)) {
+    std::vector<double> ratios;
+    for (const std::size_t round : rounds) {
+      ratios.push_back(figure(above[round]) / figure(below[round]));
+    }
+    return median(std::move(ratios));
   }
 
   Mode mode_;

@@ -13,8 +13,10 @@ namespace dapple::scaling {
 
 struct Point {
   int threads = 1;
-  Estimate seconds;     // wall time, median of the rounds
-  Estimate speedup;     // strong: T(1) / T(n); weak: n T(1) / T(n), for n times the work
+  Estimate seconds;  // wall time, median of the rounds
+  // Strong: T(1) / T(n); weak: n T(1) / T(n), for n times the work. The median of the rounds' own
+  // ratios, as the speed of many machines drifts.
+  Estimate speedup;
   Estimate efficiency;  // the speed-up over n
   Estimate imbalance;   // longest busy time of a thread over the mean
   Estimate cpu_seconds;
