@@ -1,5 +1,6 @@
 #include "common/command_table.h"
 #include "common/model_options.h"
+#include "common/scaling_command.h"
 #include "common/shared_options.h"
 #include "render/settings.h"
 
@@ -231,7 +232,7 @@ CommandInfo make_dapple() {
       .examples = {{"dapple render nice -o nice.png", "Render a picture."},
                    {"dapple scenes", "Which scenes are there?"}},
       .exit_codes = {{75, "Interrupted by a signal; the same command line can run again."}},
-      .commands = {bench(), compare(), convert(), info(), render(), scenes()},
+      .commands = {bench(), compare(), convert(), info(), render(), scaling_command(), scenes()},
   };
   program.exit_codes = with_common_codes(program.exit_codes);
   for (CommandInfo& command : program.commands) {

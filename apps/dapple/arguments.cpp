@@ -64,6 +64,19 @@ Expected<std::array<double, 3>> parse_triple(std::string_view text, const std::s
   return values;
 }
 
+Expected<std::vector<int>> parse_integers(const std::string& text, const OptionInfo& info) {
+  std::vector<int> values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto value = parse_integer(std::string_view(text).substr(begin, end - begin),
+                                     place_of(info), info.low, info.high);
+    if (!value) return tl::unexpected(value.error());
+    values.push_back(static_cast<int>(*value));
+    begin = end + 1;
+  }
+  return values;
+}
+
 Status check_choice(const OptionInfo& info, const std::string& value) {
   const auto& choices = info.choices;
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return {};
@@ -76,6 +89,8 @@ Status check_value(const OptionInfo& info, const std::string& value) {
   switch (info.kind) {
     case ValueKind::integer:
       return parse_integer(value, place_of(info), info.low, info.high).map(drop_value);
+    case ValueKind::integers:
+      return parse_integers(value, info).map(drop_value);
     case ValueKind::number:
       return parse_number(value, place_of(info)).map(drop_value);
     case ValueKind::real:
@@ -188,6 +203,10 @@ std::int64_t Arguments::integer(std::string_view name) const {
 
 int Arguments::small_integer(std::string_view name) const {
   return static_cast<int>(integer(name));
+}
+
+std::vector<int> Arguments::integers(std::string_view name) const {
+  return parse_integers(text(name), info_of(*command_, name)).value();
 }
 
 double Arguments::number(std::string_view name) const {

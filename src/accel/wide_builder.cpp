@@ -172,15 +172,16 @@ class Joiner {
 
 }  // namespace
 
-WideBvh build_wide_bvh(const SceneView& scene) {
+WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times) {
   WideBvh bvh;
   if (scene.object_count() == 0) return bvh;
-  run_with_tasks(scene.object_count(), [&] {
+  const auto build = [&] {
     Builder builder(scene);
     Fragment root;
     builder.build_top(builder.splitter().whole(), 0, root);
     bvh = Joiner(root).join();
-  });
+  };
+  run_with_tasks(scene.object_count(), build, times);
   return bvh;
 }
 
