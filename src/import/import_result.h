@@ -12,8 +12,9 @@ namespace dapple {
 
 struct ImportResult {
   Scene scene;
-  std::vector<std::string> warnings;             // a line each, with their place
-  std::optional<std::array<int, 2>> resolution;  // width and height that the file asks for
+  std::vector<std::string> warnings;  // a line each, with their place
+  // Width and height that the file asks for.
+  std::optional<std::array<int, 2>> resolution = std::nullopt;
 };
 
 }  // namespace dapple

@@ -32,6 +32,7 @@ Expected<MappedFile> ModelImport::open_companion(const std::string& name) const 
 }
 
 Expected<RawImage> ModelImport::picture(const std::string& name) const {
+  if (const auto inside = embedded_.find(name); inside != embedded_.end()) return inside->second;
   const auto file = open_companion(name);
   if (!file) return tl::unexpected(file.error());
   auto image = decode_raw_image(file->bytes(), kMaxImagePixels);
@@ -89,7 +90,7 @@ void ModelImport::warn_of_left_out() {
 Expected<ImportResult> ModelImport::finish() {
   warn_of_left_out();
   if (builder_.is_empty()) return fail(Errc::bad_data, path_, "holds nothing that can be seen");
-  auto scene = builder_.finish(options_.camera);
+  auto scene = builder_.finish(options_.camera, options_.point_radius);
   if (!scene) return tl::unexpected(scene.error());
   if (scene->environment.kind == EnvironmentKind::classic_sky) {
     scene->environment.kind = shines(*scene) ? EnvironmentKind::none : EnvironmentKind::studio;

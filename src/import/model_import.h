@@ -30,7 +30,9 @@ class ModelImport {
   // A file beside this one; where its name leads through folders that are not there, one of the
   // same name in this one's folder.
   [[nodiscard]] Expected<MappedFile> open_companion(const std::string& name) const;
-  // Its content as a picture, decoded.
+  // A picture inside this file, found by its name before any file.
+  void embed(const std::string& name, RawImage picture) { embedded_[name] = std::move(picture); }
+  // The content of a companion as a picture, decoded.
   [[nodiscard]] Expected<RawImage> picture(const std::string& name) const;
   // The same as a texture, stored once a name. `place` is where the file asks for it. A missing or
   // broken one is an error, or with `keep_going` a warning and magenta.
@@ -63,6 +65,7 @@ class ModelImport {
   SceneBuilder builder_;
   ImportLog log_;
   std::map<std::string, ImageId> images_;
+  std::map<std::string, RawImage> embedded_;
 };
 
 }  // namespace dapple

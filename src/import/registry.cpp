@@ -6,6 +6,7 @@
 #include <array>
 #include <new>
 
+#include "import/assimp/assimp.h"
 #include "import/gltf/gltf.h"
 #include "import/obj/obj.h"
 #include "import/pbrt/pbrt.h"
@@ -37,6 +38,8 @@ constexpr ImportFormat kFormats[] = {
     {{".pbrt"}, nullptr, import_pbrt},
     {{".ply"}, is_ply, import_ply},
     {{".stl"}, nullptr, import_stl},
+    {{".fbx", ".dae", ".3ds", ".3mf"}, nullptr, import_with_assimp},
+    {{".blend", ".lwo", ".off", ".x3d"}, nullptr, import_with_assimp},
 };
 
 constexpr std::size_t kHeadBytes = 512;

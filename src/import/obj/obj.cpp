@@ -10,7 +10,6 @@
 #include "import/obj/layered.h"
 #include "import/obj/mesh.h"
 #include "import/obj/smoothing.h"
-#include "import/points.h"
 #include "import/text.h"
 #include "scene/validate.h"
 
@@ -119,13 +118,6 @@ class ObjImport {
     return {decode(display.x), decode(display.y), decode(display.z), display.w};
   }
 
-  double radius() {
-    if (import_.options().point_radius > 0) return import_.options().point_radius;
-    if (radius_ == 0)
-      radius_ = 0.2 * default_point_radius(geometry_.positions, geometry_.positions.size());
-    return radius_;
-  }
-
   Status add_points_and_lines() {
     std::size_t left_out = 0;
     for (std::size_t e = 0; e < geometry_.elements.size(); ++e) {
@@ -154,13 +146,13 @@ class ObjImport {
   bool add_mark(ElementKind kind, std::size_t corner, MaterialId material) {
     const Vec3d at(geometry_.positions[geometry_.corners[corner].position]);
     if (kind == ElementKind::points) {
-      if (!is_valid(Sphere{at, radius()})) return false;
-      import_.builder().add_sphere(at, radius(), material);
+      if (!is_valid(Sphere{at, 1})) return false;
+      import_.builder().add_point(at, material);
       return true;
     }
     const Vec3d from(geometry_.positions[geometry_.corners[corner - 1].position]);
     if (!is_valid(Sphere{at, 1}) || !is_valid(Sphere{from, 1}) || at == from) return false;
-    import_.builder().add_cylinder({from, at, radius()}, material);
+    import_.builder().add_line(from, at, material);
     return true;
   }
 
@@ -174,7 +166,6 @@ class ObjImport {
   std::map<std::string, LibraryEntry> library_;
   std::vector<MaterialId> materials_;
   MaterialId default_{};
-  double radius_ = 0;
 };
 
 }  // namespace

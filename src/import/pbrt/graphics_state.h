@@ -37,6 +37,10 @@ class GraphicsStates {
   // True when `directive` is one of these; its numbers are read from the lexer.
   [[nodiscard]] Expected<bool> transform(std::string_view directive, Lexer& lexer);
 
+  // What CoordSysTransform finds under that name.
+  void name_system(const std::string& name, const Transformd& to_world) {
+    systems_[name] = to_world;
+  }
   // What is true at the beginning of the world: no transformation, everything else stays.
   void begin_world();
 

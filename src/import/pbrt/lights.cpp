@@ -87,9 +87,7 @@ Status add_light(const Context& context, const Transformd& to_world, const std::
   light.intensity = *intensity;
   light.position = single(to_scene.point(from));
   if (kind != "point") {
-    const auto way = direction(
-        to_scene,
-        kind == "distant" && !params.vector("to") && params.vector("from") ? -from : to - from);
+    const auto way = direction(to_scene, to - from);
     if (!way) return fail(Errc::bad_data, params.place(), "the light has no direction");
     light.direction = *way;
   }

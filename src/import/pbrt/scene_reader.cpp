@@ -124,11 +124,11 @@ Status SceneReader::transform_end(Lexer&, const std::string& place) {
   return states_.pop_transform(place);
 }
 
-Status SceneReader::world_begin(Lexer&, const std::string&) {
+Status SceneReader::world_begin(Lexer&, const std::string& place) {
   states_.begin_world();
   const std::string& around = states_.now().outside;
   if (!around.empty()) {
-    context_.warn("camera", fmt::format("the medium '{:.60}' around it is not used", around));
+    context_.warn(place, fmt::format("the medium '{:.60}' around the camera is not used", around));
     states_.now().outside.clear();
   }
   return {};
@@ -148,6 +148,7 @@ Status SceneReader::camera(Lexer& lexer, const std::string& place) {
   if (!(std::fabs(size) > 0 && std::isfinite(size))) {
     return fail(Errc::bad_data, place, "the camera's transformation has no inverse");
   }
+  states_.name_system("camera", inverse(statement.camera_from_world));
   camera_ = std::move(statement);
   context_.to_scene = {};
   if (is_left_handed(camera_->camera_from_world)) context_.to_scene.rows[2][2] = -1;
