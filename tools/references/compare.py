@@ -14,6 +14,7 @@ Needs Python packages numpy, pillow and OpenEXR.
 """
 import argparse
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -70,6 +71,17 @@ def half_size(picture):
     return (p[::2, ::2] + p[1::2, ::2] + p[::2, 1::2] + p[1::2, 1::2]) / 4
 
 
+def vertical_fov(scenario, size):
+    """The references' cameras have the horizontal field of view of the exact aspect ratio, which
+    their whole numbers of pixels miss a little."""
+    fov = scenario.get("verticalFoV", 45)
+    aspect = scenario["dimensions"]["width"] / scenario["dimensions"]["height"]
+    if aspect <= 1:
+        return fov
+    stretch = aspect / (size[0] / size[1])
+    return math.degrees(2 * math.atan(math.tan(math.radians(fov) / 2) * stretch))
+
+
 def render(scenario, size, target, arguments):
     orbit, at = scenario["orbit"], scenario["target"]
     command = [arguments.dapple, "render", str(arguments.models / scenario["local_model"]),
@@ -77,7 +89,7 @@ def render(scenario, size, target, arguments):
                "--width", str(size[0]), "--height", str(size[1]), "--spp", str(arguments.spp),
                f"--orbit={orbit['theta']},{orbit['phi']},{max(orbit['radius'], 1e-5)}",
                f"--target={at['x']},{at['y']},{at['z']}",
-               "--fov", str(scenario.get("verticalFoV", 45)),
+               "--fov", str(vertical_fov(scenario, size)),
                "--environment", str(arguments.models / scenario["lighting"]),
                "--clamp-indirect", "10"]
     if not scenario.get("renderSkybox"):
