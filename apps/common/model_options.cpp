@@ -82,8 +82,8 @@ std::vector<OptionInfo> picture_options() {
       {.name = "exposure",
        .kind = ValueKind::real,
        .value = "STOPS",
-       .help = "Brighten PNG and PPM pictures by two to this power",
-       .default_value = "0"},
+       .help = "Brighten PNG and PPM pictures by two to this power; without it, models that "
+               "nothing surrounds are exposed by their own brightness and all else by 0"},
   };
 }
 

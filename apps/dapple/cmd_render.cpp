@@ -42,6 +42,7 @@ struct Report {
   double load_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
   std::uint64_t dropped_samples = 0;
   double clamped_radiance = 0;
+  float exposure = 0;  // stops
 
   double samples() const {
     return static_cast<double>(settings.width) * settings.height * settings.samples_per_pixel;
@@ -75,6 +76,7 @@ std::string as_json(const Report& report, const Arguments& arguments) {
       {"samples_per_second", report.samples_per_second()},
       {"dropped_samples", report.dropped_samples},
       {"clamped_radiance", report.clamped_radiance},
+      {"exposure", report.exposure},
   };
   // File names need not be UTF-8.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -135,6 +137,12 @@ bool is_display_format(const std::string& path) {
   return ends(".png") || ends(".ppm");
 }
 
+// Lamps alone may be of any strength; surroundings are as bright as pictures are.
+float exposure_for(const Arguments& arguments, const SceneView& scene, const Image& image) {
+  if (arguments.given("exposure")) return static_cast<float>(arguments.real("exposure"));
+  return scene.environment.kind == EnvironmentKind::none ? automatic_exposure(image) : 0.0f;
+}
+
 // The view that the command line asks for.
 Expected<EditedView> view_of(const SceneInput& input, const Arguments& arguments) {
   auto options = view_options_from(arguments);
@@ -177,8 +185,8 @@ Expected<int> run_render(const Arguments& arguments) {
 
   clock = Clock();
   if (is_display_format(output)) {
-    apply_tone_map(result->image, tone_map_from(arguments, report.classic),
-                   static_cast<float>(arguments.real("exposure")));
+    report.exposure = exposure_for(arguments, view->view(), result->image);
+    apply_tone_map(result->image, tone_map_from(arguments, report.classic), report.exposure);
   }
   if (auto status = write_image(output, result->image, write_options_from(arguments)); !status) {
     return tl::unexpected(status.error());

@@ -82,16 +82,27 @@ def vertical_fov(scenario, size):
     return math.degrees(2 * math.atan(math.tan(math.radians(fov) / 2) * stretch))
 
 
+def is_animated(path):
+    """The references show the first frame of animations, at 1/24 s, but skins as they were bound."""
+    data = path.read_bytes()
+    if data[:4] == b"glTF":
+        data = data[20:20 + int.from_bytes(data[12:16], "little")]
+    model = json.loads(data)
+    return bool(model.get("animations")) and not model.get("skins")
+
+
 def render(scenario, size, target, arguments):
+    model = arguments.models / scenario["local_model"]
     orbit, at = scenario["orbit"], scenario["target"]
-    command = [arguments.dapple, "render", str(arguments.models / scenario["local_model"]),
-               "-o", str(target), "--exr-type", "float", "--quiet",
+    command = [arguments.dapple, "render", str(model), "-o", str(target), "--exr-type", "float", "--quiet",
                "--width", str(size[0]), "--height", str(size[1]), "--spp", str(arguments.spp),
                f"--orbit={orbit['theta']},{orbit['phi']},{max(orbit['radius'], 1e-5)}",
                f"--target={at['x']},{at['y']},{at['z']}",
                "--fov", str(vertical_fov(scenario, size)),
                "--environment", str(arguments.models / scenario["lighting"]),
                "--clamp-indirect", "10"]
+    if is_animated(model):
+        command += ["--time", str(1 / 24)]
     if not scenario.get("renderSkybox"):
         command.append("--transparent")
     return subprocess.run(command + arguments.extra).returncode == 0
