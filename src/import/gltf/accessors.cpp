@@ -189,6 +189,25 @@ struct Reader {
   }
 };
 
+// Warns when the numbers are not those that min and max declare.
+void check_bounds(const Context& context, std::uint32_t index, const FloatElements& elements) {
+  const JsonValue& json = context.document["accessors"][index];
+  for (std::size_t c = 0; c < elements.components; ++c) {
+    if (json["normalized"].bool_or(false) || !json.has("min") || !json.has("max")) return;
+    float low = std::numeric_limits<float>::infinity(), high = -low;
+    for (std::size_t i = 0; i < elements.count(); ++i) {
+      low = std::min(low, elements[i][c]);
+      high = std::max(high, elements[i][c]);
+    }
+    if (low == static_cast<float>(json["min"][c].number_or(0)) &&
+        high == static_cast<float>(json["max"][c].number_or(0))) {
+      continue;
+    }
+    return context.warn(fmt::format("/accessors/{}", index),
+                        "its numbers are not from its min to its max");
+  }
+}
+
 }  // namespace
 
 std::size_t component_count(std::string_view type) {
@@ -214,6 +233,10 @@ std::size_t component_bytes(std::uint64_t component_type) {
     default:
       return 0;
   }
+}
+
+std::size_t element_bytes(std::uint64_t component_type, std::string_view type) {
+  return packed_layout(component_type, type).element_bytes;
 }
 
 template <class T>
@@ -272,6 +295,7 @@ Expected<std::shared_ptr<const FloatElements>> Accessors::floats(std::uint32_t i
       return tl::unexpected(status.error());
     }
   }
+  check_bounds(buffers_.context(), index, *elements);
   recent_.emplace_front(index, std::make_shared<const FloatElements>(std::move(*elements)));
   if (recent_.size() > kRecentAccessors) recent_.pop_back();
   return recent_.front().second;

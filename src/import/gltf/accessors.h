@@ -27,6 +27,9 @@ std::size_t component_count(std::string_view type);
 // Bytes of a component type by its OpenGL number; 0 if unknown.
 std::size_t component_bytes(std::uint64_t component_type);
 
+// Bytes of one element without a stride; 0 if unknown.
+std::size_t element_bytes(std::uint64_t component_type, std::string_view type);
+
 class Accessors {
  public:
   explicit Accessors(Buffers& buffers) : buffers_(buffers) {}

@@ -47,7 +47,7 @@ Status check_header(std::span<const std::byte> file) {
   const std::uint32_t version = little_endian(file, 4);
   if (version != 2) return bad(4, fmt::format("version {} of the container is not 2", version));
   const std::uint32_t length = little_endian(file, 8);
-  if (length != file.size()) {
+  if (length > file.size() || length < kHeaderBytes) {
     return bad(8, fmt::format("the header says {} bytes, the file has {}", length, file.size()));
   }
   return {};
@@ -73,6 +73,7 @@ Expected<Container> split_container(std::span<const std::byte> file) {
   }
   container.is_binary = true;
   if (auto checked = check_header(file); !checked) return tl::unexpected(checked.error());
+  file = file.first(little_endian(file, 8));
   std::size_t at = kHeaderBytes;
   for (std::size_t number = 0; number == 0 || at < file.size(); ++number) {
     const auto chunk = chunk_at(file, at);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "import/gltf/animation.h"
+#include "import/gltf/check.h"
 #include "import/gltf/lights_cameras.h"
 #include "import/gltf/meshes.h"
 
@@ -23,8 +24,15 @@ void report_left_out(const Context& context) {
   }
 }
 
+Status check(const Context& context) {
+  return check_structure(context)
+      .and_then([&] { return check_data(context); })
+      .and_then([&] { return check_meshes(context); })
+      .and_then([&] { return check_nodes(context); })
+      .and_then([&] { return check_variant(context); });
+}
+
 Status fill(const Context& context) {
-  if (auto known = check_variant(context); !known) return known;
   auto buffers = Buffers::load(context);
   if (!buffers) return tl::unexpected(buffers.error());
   Accessors accessors(*buffers);
@@ -56,7 +64,8 @@ Expected<ImportResult> import_gltf(const std::string& path, const ImportOptions&
   SceneBuilder builder(options.max_bytes);
   ImportLog log;
   const gltf::Context context{*document, options, builder, log};
-  if (auto filled = gltf::fill(context); !filled) return tl::unexpected(filled.error());
+  const Status filled = gltf::check(context).and_then([&] { return gltf::fill(context); });
+  if (!filled) return tl::unexpected(filled.error());
   gltf::report_left_out(context);
   if (builder.is_empty()) context.warn("", "the scene shows nothing");
   auto scene = builder.finish(options.camera, options.point_radius);

@@ -54,6 +54,23 @@ bool has_scheme(std::string_view uri) {
   return colon != std::string_view::npos && colon < std::min(uri.find('/'), uri.size());
 }
 
+Expected<std::string> decode_percent(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    const bool whole = text.size() - i > 2;
+    const int high = whole ? hex_digit(text[i + 1]) : -1;
+    const int low = whole ? hex_digit(text[i + 2]) : -1;
+    if (high < 0 || low < 0) return fail(Errc::bad_data, "", "% without two hexadecimal digits");
+    decoded += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return decoded;
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
@@ -62,10 +79,18 @@ Expected<DataUri> decode_data_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) return fail(Errc::bad_data, "", "a data URI without data");
   const std::string_view head = uri.substr(5, comma - 5);
-  if (!head.ends_with(";base64")) return fail(Errc::bad_data, "", "a data URI without base64");
-  auto bytes = decode_base64(uri.substr(comma + 1));
-  if (!bytes) return tl::unexpected(bytes.error());
-  return DataUri{head.substr(0, head.find(';')), std::move(*bytes)};
+  const std::string_view data = uri.substr(comma + 1);
+  DataUri result{head.substr(0, head.find(';')), {}};
+  if (head.ends_with(";base64")) {
+    auto bytes = decode_base64(data);
+    if (!bytes) return tl::unexpected(bytes.error());
+    result.bytes = std::move(*bytes);
+  } else {
+    const auto text = decode_percent(data);
+    if (!text) return tl::unexpected(text.error());
+    result.bytes.assign(text->begin(), text->end());
+  }
+  return result;
 }
 
 Expected<std::string> file_of_uri(std::string_view uri) {
@@ -73,19 +98,7 @@ Expected<std::string> file_of_uri(std::string_view uri) {
     return fail(Errc::bad_data, "",
                 fmt::format("\"{}\" is no file beside this one", uri.substr(0, 200)));
   }
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      name += uri[i];
-      continue;
-    }
-    const int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
-    const int low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : -1;
-    if (high < 0 || low < 0) return fail(Errc::bad_data, "", "% without two hexadecimal digits");
-    name += static_cast<char>(high * 16 + low);
-    i += 2;
-  }
-  return name;
+  return decode_percent(uri);
 }
 
 }  // namespace dapple::gltf

@@ -16,7 +16,6 @@ struct DataUri {
 };
 
 bool is_data_uri(std::string_view uri);
-// Base64 is what glTF allows.
 [[nodiscard]] Expected<DataUri> decode_data_uri(std::string_view uri);
 
 // The name of a file from a relative reference: %20 and the like decoded. A reference with a scheme

@@ -1,0 +1,18 @@
+// Proves that a file is glTF before anything reads it. What makes the picture doubtful is an error;
+// what breaks the specification, but leaves the picture as it was meant, is a warning.
+#pragma once
+
+#include "import/gltf/context.h"
+
+namespace dapple::gltf {
+
+// Kinds, ranges and references of every member; versions; extensions.
+[[nodiscard]] Status check_structure(const Context& context);
+// Buffer views, accessors, cameras, images.
+[[nodiscard]] Status check_data(const Context& context);
+// Attributes, indices and morph targets of primitives, and what their materials need.
+[[nodiscard]] Status check_meshes(const Context& context);
+// Nodes, skins, animations, lights.
+[[nodiscard]] Status check_nodes(const Context& context);
+
+}  // namespace dapple::gltf
