@@ -218,6 +218,9 @@ Status validate_counts(const SceneView& scene) {
   if (scene.materials.size() > kMaxMaterialCount) {
     return fail(Errc::bad_data, "materials", fmt::format("more than {}", kMaxMaterialCount));
   }
+  if (scene.instances.size() > kMaxInstanceCount) {
+    return fail(Errc::bad_data, "instances", fmt::format("more than {}", kMaxInstanceCount));
+  }
   if (!scene.prototypes.empty() && scene.prototypes[0].first_triangle > scene.triangles.size()) {
     return fail(Errc::bad_data, "prototype 0", "it begins beyond the last triangle");
   }

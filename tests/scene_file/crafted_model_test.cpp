@@ -364,14 +364,20 @@ TEST(CraftedModel, SectionsThatAreMissing) {
   }
 }
 
-TEST(Validate, MoreMaterialsThanThereIsRoomFor) {
-  SceneView view;
-  const Material one = Dielectric{1.5};
-  // Counted before any is read.
-  view.materials = {&one, kMaxMaterialCount + 1};
-  const Status status = validate(view);
-  ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().place, "materials");
+// Counted before any is read: there is only one.
+TEST(Validate, MoreThanThereIsRoomFor) {
+  const auto place_of_error = [](const SceneView& view) {
+    const Status status = validate(view);
+    return status ? std::string() : status.error().place;
+  };
+  const Material material = Dielectric{1.5};
+  SceneView materials;
+  materials.materials = {&material, kMaxMaterialCount + 1};
+  EXPECT_EQ(place_of_error(materials), "materials");
+  const Instance instance;
+  SceneView instances;
+  instances.instances = {&instance, kMaxInstanceCount + 1};
+  EXPECT_EQ(place_of_error(instances), "instances");
 }
 
 }  // namespace
