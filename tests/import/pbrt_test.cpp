@@ -234,6 +234,12 @@ TEST_F(Pbrt, MediaFillWhatLetsLightIn) {
   EXPECT_EQ(fog.ior, 1);
 }
 
+TEST_F(Pbrt, AnInterfaceBetweenNothingAndNothingIsNotThere) {
+  const Scene s =
+      scene("Material \"interface\"\n" + kTriangle + "Material \"diffuse\"\n" + kTriangle);
+  EXPECT_EQ(s.triangles.size(), 1u);
+}
+
 // The unit square folded onto the sphere so that areas keep their proportions; from [Clarberg08],
 // apart from the importer's own inverse of it.
 Vec3d from_square(double u, double v) {

@@ -28,6 +28,13 @@ std::optional<double> even_scale(const Transformd& m) {
   return scale;
 }
 
+// Where a medium ends; without one there is nothing to see.
+bool is_invisible(const GraphicsState& state) {
+  const bool is_interface = state.material && state.material->transmission == 1 &&
+                            state.material->ior == 1 && state.material->specular == 0;
+  return is_interface && !state.emission && state.inside == state.outside;
+}
+
 void append(const MeshData& from, MeshData& to) {
   const auto first = static_cast<std::uint32_t>(to.vertices.positions.size());
   append_vertices(from.vertices, to.vertices);
@@ -76,7 +83,7 @@ Status World::add_shape(const GraphicsState& state, const std::string& kind, con
   }
   auto shape = shapes_.make(context_, kind, params);
   if (!shape) return tl::unexpected(shape.error());
-  if (!*shape) return {};
+  if (!*shape || is_invisible(state)) return {};
   const MaterialId material = material_of(state, params);
   const Transformd to_scene = object_ ? state.to_world : context_.to_scene * state.to_world;
   const auto added =
