@@ -57,8 +57,10 @@ imbalance() { # NAME WORK
 
 # The share of building in a whole run, what it allows when it is serial, and what building with
 # the measured serial fraction would give on 16 cores.
-serial=$(awk -F, '$1 == "build" && $2 == "strong" { print ($5 > 0 ? $5 : 0) }' data/build/fits.csv)
-awk -F, -v serial="$serial" '
+serial() { # COLUMN
+  awk -F, -v c="$1" '$1 == "build" && $2 == "strong" { print ($c > 0 ? $c : 0) }' data/build/fits.csv
+}
+awk -F, -v serial="$(serial 5)" -v most="$(serial 7)" '
   NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
   $1 == "irreg" || $1 == "large" {
     b = $c["bvh_prepare_ms"] / $c["bvh_total_ms"]
@@ -66,10 +68,12 @@ awk -F, -v serial="$serial" '
     printf "\\setvalue{worth/%s/limit}{%.3f}\n", $1, 1 / b
     printf "\\setvalue{worth/%s/serial16}{%.3f}\n", $1, 1 / (b + (1 - b) / 16)
     printf "\\setvalue{worth/%s/parallel16}{%.3f}\n", $1,
-      1 / (b * (serial + (1 - serial) / 16) + (1 - b) / 16) }' data/duels.csv >>"$work/values.tex"
+      1 / (b * (serial + (1 - serial) / 16) + (1 - b) / 16)
+    printf "\\setvalue{worth/%s/parallel16/least}{%.3f}\n", $1,
+      1 / (b * (most + (1 - most) / 16) + (1 - b) / 16) }' data/duels.csv >>"$work/values.tex"
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
-         $2 == "strong" { cpu[$3] = $c["cpu_seconds"] }
-         END { printf "\\setvalue{build/cpu/growth}{%.4f}\n", cpu[2] / cpu[1] }' \
+         $2 == "strong" && $3 == 2 {
+           printf "\\setvalue{build/cpu/growth}{%.4f}\n", 1 / $c["cpu_efficiency"] }' \
   data/build/points.csv >>"$work/values.tex"
 
 # One checksum for each scene, whatever the program and the threads?
@@ -92,6 +96,7 @@ done
 excerpt() { sed -n "/$3/,/$4/p" "../../$2" >"$work/$1.txt"; }
 excerpt loop src/parallel/parallel.cpp '^#pragma omp parallel$' '^  }$'
 excerpt unit src/render/render_job.cpp 'const auto render_unit' 'parallel_for_dynamic'
+excerpt build src/accel/wide_builder.cpp 'TaskGroup tasks;' 'tasks.wait'
 excerpt static bench/report/schedules.cpp '^#pragma omp parallel for schedule(static)' 'render_timed'
 
 # The text may only speak of code that is there: \src{FILE}{NAME}.
