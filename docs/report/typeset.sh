@@ -86,14 +86,14 @@ awk -F, 'NR > 1 { ++n[$1]; if (!($1 in sum)) sum[$1] = $4; if (sum[$1] != $4) ba
 # A file for each curve.
 for study in irreg rgbbox build; do
   head=$(head -1 data/$study/points.csv)
-  for curve in $(awk -F, 'NR > 1 { print $1 "," $2 }' data/$study/points.csv | sort -u); do
+  awk -F, 'NR > 1 { print $1 "," $2 }' data/$study/points.csv | sort -u | while read -r curve; do
     { echo "$head"; grep "^$curve," data/$study/points.csv; } \
       >"$work/$study-$(echo "$curve" | tr , -).csv"
   done
 done
 
-# excerpt NAME FILE FIRST LAST: lines of the code, from one pattern to the next that follows.
-excerpt() { sed -n "/$3/,/$4/p" "../../$2" >"$work/$1.txt"; }
+# excerpt NAME FILE FIRST LAST: the first lines of the code from one pattern to the next that follows.
+excerpt() { sed -n "/$3/,/$4/{p;/$4/q}" "../../$2" >"$work/$1.txt"; }
 excerpt loop src/parallel/parallel.cpp '^#pragma omp parallel$' '^  }$'
 excerpt unit src/render/render_job.cpp 'const auto render_unit' 'parallel_for_dynamic'
 excerpt build src/accel/wide_builder.cpp 'TaskGroup tasks;' 'tasks.wait'
@@ -109,7 +109,7 @@ grep -o '\\src{[^}]*}{[^}]*}' report.tex | sed 's/\\src{\([^}]*\)}{\([^}]*\)}/\1
   done
 
 export SOURCE_DATE_EPOCH=0 FORCE_SOURCE_DATE=1 # the same bytes from the same source
-for pass in 1 2; do
+for _ in 1 2; do
   if ! TEXINPUTS=".:$work:" pdflatex -interaction=nonstopmode -halt-on-error \
     -output-directory="$work" report.tex >"$work/pdflatex.txt"; then
     tail -30 "$work/pdflatex.txt" >&2
