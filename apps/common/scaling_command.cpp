@@ -105,8 +105,8 @@ CommandInfo scaling_command() {
   };
   for (const OptionInfo& option : work_options()) command.options.push_back(option);
   for (const OptionInfo& option :
-       {trust_option(), json_option("Print everything as JSON on standard output"), quiet_option(),
-        help_option()}) {
+       {trust_option(), copy_option(), json_option("Print everything as JSON on standard output"),
+        quiet_option(), help_option()}) {
     command.options.push_back(option);
   }
   return command;

@@ -12,11 +12,18 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p data
+if [ "$(nproc)" -lt 2 ]; then
+  echo "measure.sh: scaling takes two cores at least" >&2
+  exit 1
+fi
 
 # undisturbed COMMAND...: where the system lets us, what is timed goes before whatever else runs here.
+# Else it waits for quiet, and repeats what was disturbed.
 undisturbed() { "$@"; }
+patience=30
 if chrt --rr 10 true 2>/dev/null; then
   undisturbed() { chrt --rr 10 "$@"; }
+  patience=0
 fi
 
 # scaling NAME SCENE ARGUMENT...: a study whose tables go to data/NAME.
@@ -26,7 +33,7 @@ scaling() {
   shift 2
   echo "scaling: $name"
   undisturbed "$build/apps/dapple" scaling "$scene" -o "$scratch/$name" --quiet --threads 1,2,4 \
-    --repeat $rounds --patience 0 "$@"
+    --repeat $rounds --patience $patience "$@"
   mkdir -p "data/$name"
   for table in points fits threads machine; do
     cp "$scratch/$name/$table.csv" "data/$name/$table.csv"

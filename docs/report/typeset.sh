@@ -57,8 +57,10 @@ imbalance() { # NAME WORK
 
 # The share of building in a whole run, what it allows when it is serial, and what building with
 # the measured serial fraction would give on 16 cores.
-serial=$(awk -F, '$1 == "build" && $2 == "strong" { print ($5 > 0 ? $5 : 0) }' data/build/fits.csv)
-awk -F, -v serial="$serial" '
+serial() { # COLUMN
+  awk -F, -v c="$1" '$1 == "build" && $2 == "strong" { print ($c > 0 ? $c : 0) }' data/build/fits.csv
+}
+awk -F, -v serial="$(serial 5)" -v most="$(serial 7)" '
   NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
   $1 == "irreg" || $1 == "large" {
     b = $c["bvh_prepare_ms"] / $c["bvh_total_ms"]
@@ -66,10 +68,12 @@ awk -F, -v serial="$serial" '
     printf "\\setvalue{worth/%s/limit}{%.3f}\n", $1, 1 / b
     printf "\\setvalue{worth/%s/serial16}{%.3f}\n", $1, 1 / (b + (1 - b) / 16)
     printf "\\setvalue{worth/%s/parallel16}{%.3f}\n", $1,
-      1 / (b * (serial + (1 - serial) / 16) + (1 - b) / 16) }' data/duels.csv >>"$work/values.tex"
+      1 / (b * (serial + (1 - serial) / 16) + (1 - b) / 16)
+    printf "\\setvalue{worth/%s/parallel16/least}{%.3f}\n", $1,
+      1 / (b * (most + (1 - most) / 16) + (1 - b) / 16) }' data/duels.csv >>"$work/values.tex"
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
-         $2 == "strong" { cpu[$3] = $c["cpu_seconds"] }
-         END { printf "\\setvalue{build/cpu/growth}{%.4f}\n", cpu[2] / cpu[1] }' \
+         $2 == "strong" && $3 == 2 {
+           printf "\\setvalue{build/cpu/growth}{%.4f}\n", 1 / $c["cpu_efficiency"] }' \
   data/build/points.csv >>"$work/values.tex"
 
 # One checksum for each scene, whatever the program and the threads?
@@ -82,16 +86,17 @@ awk -F, 'NR > 1 { ++n[$1]; if (!($1 in sum)) sum[$1] = $4; if (sum[$1] != $4) ba
 # A file for each curve.
 for study in irreg rgbbox build; do
   head=$(head -1 data/$study/points.csv)
-  for curve in $(awk -F, 'NR > 1 { print $1 "," $2 }' data/$study/points.csv | sort -u); do
+  awk -F, 'NR > 1 { print $1 "," $2 }' data/$study/points.csv | sort -u | while read -r curve; do
     { echo "$head"; grep "^$curve," data/$study/points.csv; } \
       >"$work/$study-$(echo "$curve" | tr , -).csv"
   done
 done
 
-# excerpt NAME FILE FIRST LAST: lines of the code, from one pattern to the next that follows.
-excerpt() { sed -n "/$3/,/$4/p" "../../$2" >"$work/$1.txt"; }
+# excerpt NAME FILE FIRST LAST: the first lines of the code from one pattern to the next that follows.
+excerpt() { sed -n "/$3/,/$4/{p;/$4/q}" "../../$2" >"$work/$1.txt"; }
 excerpt loop src/parallel/parallel.cpp '^#pragma omp parallel$' '^  }$'
 excerpt unit src/render/render_job.cpp 'const auto render_unit' 'parallel_for_dynamic'
+excerpt build src/accel/wide_builder.cpp 'TaskGroup tasks;' 'tasks.wait'
 excerpt static bench/report/schedules.cpp '^#pragma omp parallel for schedule(static)' 'render_timed'
 
 # The text may only speak of code that is there: \src{FILE}{NAME}.
@@ -104,7 +109,7 @@ grep -o '\\src{[^}]*}{[^}]*}' report.tex | sed 's/\\src{\([^}]*\)}{\([^}]*\)}/\1
   done
 
 export SOURCE_DATE_EPOCH=0 FORCE_SOURCE_DATE=1 # the same bytes from the same source
-for pass in 1 2; do
+for _ in 1 2; do
   if ! TEXINPUTS=".:$work:" pdflatex -interaction=nonstopmode -halt-on-error \
     -output-directory="$work" report.tex >"$work/pdflatex.txt"; then
     tail -30 "$work/pdflatex.txt" >&2
