@@ -103,7 +103,7 @@ DAPPLE_API_NAMESPACE {
     double alpha = 1;  // below 1: seen through in part
     double metallic = 0;
     double roughness = 1;
-    Colour emission;  // radiance
+    Colour emission = {};  // radiance
     double ior = 1.5;
     double specular = 1;
     Colour specular_colour{1, 1, 1};
@@ -113,7 +113,7 @@ DAPPLE_API_NAMESPACE {
     Colour attenuation_colour{1, 1, 1};  // what is left after that distance inside
     double clearcoat = 0;
     double clearcoat_roughness = 0;
-    Colour sheen_colour;
+    Colour sheen_colour = {};
     double sheen_roughness = 0;
     double anisotropy = 0;
     double anisotropy_rotation = 0;  // radians counter-clockwise from the tangent
@@ -167,7 +167,7 @@ DAPPLE_API_NAMESPACE {
   struct Light {
     enum class Kind : std::uint32_t { point, spot, directional };
     Kind kind = Kind::point;
-    Point position;
+    Point position = {};
     Point direction{0, 0, -1};        // the way light travels, of any length
     Colour intensity{1, 1, 1};        // per steradian; directional: irradiance at right angles
     double inner_angle = 0;           // spot: radians from the axis, full light up to here

@@ -6,6 +6,7 @@
 #include "capi/api_state.h"
 #include "image/formats.h"
 #include "render/render_job.h"
+#include "scene/validate_instances.h"
 
 namespace dapple::v0 {
 
@@ -18,7 +19,9 @@ struct Accelerator::State {
     if (!hit.found()) return {};
     const ShapeKind kind = hit.lane.kind();
     const std::size_t index = hit.prim - first_ids[static_cast<std::size_t>(kind)];
-    return {hit.t, static_cast<Shape>(kind), static_cast<std::uint32_t>(index)};
+    const std::size_t instance = hit.lane.in_instance() ? hit.lane.instance_index() : no_instance;
+    return {hit.t, static_cast<Shape>(kind), static_cast<std::uint32_t>(index),
+            static_cast<std::uint32_t>(instance)};
   }
 };
 
@@ -29,6 +32,10 @@ Result<Accelerator> Accelerator::build(const Scene& scene, Kind kind) noexcept {
     auto state = std::make_shared<State>();
     state->scene = scene.state_ ? scene.state_ : std::make_shared<Scene::State>();
     const SceneView view = state->scene->view();
+    // Files are proven when they are opened, and all else when it is added.
+    if (!state->scene->source && instance_too_far(view)) {
+      return to_error(lib::Errc::bad_data, "instance: it reaches too far");
+    }
     state->first_ids = first_prim_ids(view);
     state->prepared =
         std::make_unique<PreparedScene>(view, make_accel(static_cast<AccelKind>(kind), view));

@@ -136,6 +136,35 @@ TEST_F(CppInterface, MeshesAreHit) {
   }
 }
 
+TEST_F(CppInterface, InstancesAreHitWhereTheyArePlaced) {
+  dapple::Scene scene;
+  const Square square;
+  const auto grey = scene.add_material(dapple::Lambertian{{0.5, 0.5, 0.5}});
+  const auto tile = scene.add_prototype(square.mesh(), *grey);
+  ASSERT_TRUE(tile);
+  for (int i = 0; i < 3; ++i) {
+    dapple::Transform to_world;
+    to_world.rows[0][3] = static_cast<float>(4 * i);
+    to_world.rows[1][3] = static_cast<float>(i);
+    ASSERT_TRUE(scene.add_instance(*tile, to_world));
+  }
+  for (const auto kind : {dapple::Accelerator::Kind::linear, dapple::Accelerator::Kind::fast}) {
+    const auto accelerator = dapple::Accelerator::build(scene, kind);
+    ASSERT_TRUE(accelerator);
+    const dapple::Ray rays[] = {ray_down(0.5f, 0.75f), ray_down(4.5f, 0.75f), ray_down(8.5f, 0.75f),
+                                ray_down(2, 0)};
+    dapple::Hit hits[4];
+    ASSERT_TRUE(accelerator->intersect(rays, hits));
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(hits[i].t, 10.0f - static_cast<float>(i));
+      EXPECT_EQ(hits[i].shape, dapple::Shape::triangle);
+      EXPECT_EQ(hits[i].index, 1u);
+      EXPECT_EQ(hits[i].instance, i);
+    }
+    EXPECT_FALSE(hits[3].found());
+  }
+}
+
 // What was added in any order is stored, opened and stored again as the same bytes.
 TEST_F(CppInterface, ModelsAreSaved) {
   dapple::Scene scene = ball_on_floor();
