@@ -19,17 +19,21 @@ Vec3f below(const Vec3f& w) { return {w.x, w.y, -w.z}; }
 
 }  // namespace
 
+Bsdf::Facet Bsdf::glass_facet(float cosine) const {
+  const float exact = fresnel_dielectric(cosine, eta_);
+  if (exact >= 1.0f) return {grey(glass_), {}, 1};
+  // Specular colour and strength bend Fresnel's curve between their own ends.
+  const float ior_f0 = f0_of_ior(eta_);
+  const Vec3f reflected = mix(glass_f0_, grey(glass_f90_), (exact - ior_f0) / (1.0f - ior_f0));
+  return {glass_ * reflected, (glass_ * (1.0f - max_component(reflected))) * glass_tint_, 1};
+}
+
 Bsdf::Facet Bsdf::facet(float cosine) const {
   Facet result{f0_ + schlick_weight(cosine) * f90_minus_f0_, straight_, 1};
   if (glass_ > 0.0f) {
-    const float exact = fresnel_dielectric(cosine, eta_);
-    // Specular colour and strength bend Fresnel's curve between their own ends, but not total
-    // reflection.
-    const float ior_f0 = f0_of_ior(eta_);
-    const float w = exact >= 1.0f ? 1.0f : (exact - ior_f0) / (1.0f - ior_f0);
-    const Vec3f reflected = exact >= 1.0f ? grey(1.0f) : mix(glass_f0_, grey(glass_f90_), w);
-    result.reflected = result.reflected + glass_ * reflected;
-    result.transmitted = (glass_ * (1.0f - max_component(reflected))) * glass_tint_;
+    const Facet glass = glass_facet(cosine);
+    result.reflected = result.reflected + glass.reflected;
+    result.transmitted = glass.transmitted;
   }
   const float r = luminance(result.reflected), t = luminance(result.transmitted);
   if (t > 0.0f) result.p_reflect = r / (r + t);

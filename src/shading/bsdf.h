@@ -54,6 +54,7 @@ class Bsdf {
     float p_reflect;  // of choosing reflection
   };
   Facet facet(float cosine) const;
+  Facet glass_facet(float cosine) const;  // of the part that refracts, without the choice
 
   BsdfValue evaluate_reflection(const Vec3f& wi) const;    // local, above the surface
   BsdfValue evaluate_transmission(const Vec3f& wi) const;  // local, below the surface

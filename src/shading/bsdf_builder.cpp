@@ -100,8 +100,8 @@ void BsdfBuilder::add_reflection(const Vec3f& f0, const Vec3f& f90, float weight
 
 BsdfBuilder::Interface BsdfBuilder::add_interface(const LayeredPoint& point, float below_layers) {
   const float cosine = bsdf_.wo_.z;
-  const ReflectionAlbedo albedo = reflection_albedo(cosine, roughness_);
-  Interface result{albedo.total(), {}, 1};
+  facets_ = reflection_albedo(cosine, roughness_);
+  Interface result{facets_.total(), {}, 1};
   if (point.metallic > 0.0f) {
     const Vec3f f0 = with_film(point.base_colour, point, cosine);
     const Vec3f factor = multiple_scattering(f0, result.total);
@@ -113,7 +113,7 @@ BsdfBuilder::Interface BsdfBuilder::add_interface(const LayeredPoint& point, flo
     const Vec3f factor = multiple_scattering(f0, result.total);
     const float opaque = point.thin ? 1.0f : 1.0f - point.transmission;
     add_reflection(factor * f0, factor * f90, below_layers * (1.0f - point.metallic) * opaque);
-    result.dielectric = factor * (albedo.scale * f0 + albedo.bias * f90);
+    result.dielectric = factor * (facets_.scale * f0 + facets_.bias * f90);
     result.attenuation = std::max(1.0f - max_component(result.dielectric), 0.0f);
   }
   return result;
@@ -122,7 +122,8 @@ BsdfBuilder::Interface BsdfBuilder::add_interface(const LayeredPoint& point, flo
 void BsdfBuilder::add_glass(const LayeredPoint& point, DispersionChannel dispersion, float weight) {
   const float ior = channel_ior(point, dispersion);
   bsdf_.eta_ = at_.from_outside ? ior : 1.0f / ior;
-  bsdf_.glass_ = weight / refraction_albedo(bsdf_.wo_.z, roughness_, bsdf_.eta_);
+  glass_albedo_ = refraction_albedo(bsdf_.wo_.z, roughness_, bsdf_.eta_);
+  bsdf_.glass_ = weight / glass_albedo_;
   bsdf_.glass_f0_ = with_film(point.dielectric_f0, point, bsdf_.wo_.z);
   bsdf_.glass_f90_ = point.dielectric_f90;
   bsdf_.glass_tint_ = point.base_colour;
@@ -181,8 +182,8 @@ Bsdf BsdfBuilder::classic(const Material& material) {
     set_width(alpha, alpha);
     roughness_ = std::sqrt(alpha);
     const Vec3f albedo(metal->albedo);
-    const float total = reflection_albedo(bsdf_.wo_.z, roughness_).total();
-    const Vec3f f0 = multiple_scattering(albedo, total) * albedo;
+    facets_ = reflection_albedo(bsdf_.wo_.z, roughness_);
+    const Vec3f f0 = multiple_scattering(albedo, facets_.total()) * albedo;
     add_reflection(f0, f0, 1);
   } else if (const auto* glass = std::get_if<Dielectric>(&material)) {
     set_width(0, 0);
@@ -196,16 +197,12 @@ Bsdf BsdfBuilder::classic(const Material& material) {
 }
 
 Bsdf BsdfBuilder::finish() {
-  const ReflectionAlbedo facets = reflection_albedo(bsdf_.wo_.z, roughness_);
-  const Vec3f reflection = (facets.scale + facets.bias) * bsdf_.f0_ +
-                           facets.bias * bsdf_.f90_minus_f0_ + facets.total() * bsdf_.straight_;
+  const Vec3f reflection =
+      facets_.total() * (bsdf_.f0_ + bsdf_.straight_) + facets_.bias * bsdf_.f90_minus_f0_;
   Vec3f glass;
   if (bsdf_.glass_ > 0.0f) {
-    Bsdf alone = bsdf_;
-    alone.f0_ = alone.f90_minus_f0_ = alone.straight_ = Vec3f();
-    const auto at = alone.facet(bsdf_.wo_.z);
-    glass =
-        refraction_albedo(bsdf_.wo_.z, roughness_, bsdf_.eta_) * (at.reflected + at.transmitted);
+    const Bsdf::Facet at = bsdf_.glass_facet(bsdf_.wo_.z);
+    glass = glass_albedo_ * (at.reflected + at.transmitted);
   }
   const Vec3f sheen = sheen_albedo_ * bsdf_.sheen_;
   bsdf_.albedo_ = reflection + glass + bsdf_.diffuse_ + sheen + bsdf_.through_ + grey(coat_albedo_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/material.h"
+#include "shading/albedo_tables.h"
 #include "shading/bsdf.h"
 #include "shading/layered_point.h"
 #include "shading/surface_interaction.h"
@@ -46,7 +47,8 @@ class BsdfBuilder {
   float side_;  // +1: seen from outside
   Bsdf bsdf_;
   float roughness_ = 1;  // of the interface, for the tables
-  float coat_albedo_ = 0, sheen_albedo_ = 0;
+  ReflectionAlbedo facets_;
+  float glass_albedo_ = 1, coat_albedo_ = 0, sheen_albedo_ = 0;
 };
 
 }  // namespace dapple
