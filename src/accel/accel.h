@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "accel/hit.h"
+#include "accel/placed_instance.h"
 #include "math/bounds3.h"
 #include "math/ray.h"
 #include "scene/scene_view.h"
@@ -63,17 +64,22 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
-  // Where the lanes of hits point into.
+  // Where the lanes of hits point into, and what those are seen through.
   const LeafRow* leaf_rows() const { return leaf_rows_; }
+  const PlacedInstance* instances() const { return instances_; }
   // `hit` must have been found by this structure for this ray.
   SurfacePoint locate(const Ray& ray, const Hit& hit) const;
 
  protected:
   // To be called before any ray is traced: where hits point into.
-  void set_leaf_rows(const LeafRow* rows) { leaf_rows_ = rows; }
+  void set_leaves(const LeafRow* rows, std::span<const PlacedInstance> instances) {
+    leaf_rows_ = rows;
+    instances_ = instances.data();
+  }
 
  private:
   const LeafRow* leaf_rows_ = nullptr;
+  const PlacedInstance* instances_ = nullptr;
 };
 
 // Names as on the command line; an unknown one is an error that lists them.

@@ -17,7 +17,7 @@ BuildPrim make_prim(const Bounds3f& box, std::size_t id) {
 
 }  // namespace
 
-HugeArray<BuildPrim> make_build_prims(const SceneView& scene) {
+HugeArray<BuildPrim> make_build_prims(const SceneView& scene, const PrototypeBoxes& prototypes) {
   HugeArray<BuildPrim> prims(scene.object_count());
   const auto first_ids = first_prim_ids(scene);
   BuildPrim* to = prims.data();
@@ -26,11 +26,23 @@ HugeArray<BuildPrim> make_build_prims(const SceneView& scene) {
     const std::size_t count = scene.object_count(kind);
     parallel_for_chunks(count, kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        to[i] = make_prim(shape_bounds(scene, kind, i), first_ids[k] + i);
+        to[i] = make_prim(shape_bounds(scene, prototypes, kind, i), first_ids[k] + i);
       }
     });
     to += count;
   }
+  return prims;
+}
+
+HugeArray<BuildPrim> make_prototype_prims(const SceneView& scene, const Prototype& prototype) {
+  HugeArray<BuildPrim> prims(prototype.triangle_count);
+  const std::size_t first_id = first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::triangle)];
+  parallel_for_chunks(prims.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t index = prototype.first_triangle + i;
+      prims[i] = make_prim(triangle_bounds(scene, scene.triangles[index]), first_id + index);
+    }
+  });
   return prims;
 }
 

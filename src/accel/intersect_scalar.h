@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "accel/hit.h"
+#include "accel/intersect_cylinder.h"
 #include "accel/prepared_ray.h"
 #include "scene/leaf.h"
 
@@ -132,17 +134,41 @@ inline float intersect_triangle(const PreparedRay& ray, const float v[9], float 
   return box.near <= box.far && clamped <= t_max ? clamped : kMiss;
 }
 
-// Primitive `lane` of a leaf, whatever its kind.
+// Where a ray enters the box of an instance, or kMiss.
+inline float enter_instance_box(const PreparedRay& ray, const float numbers[6], float t_max) {
+  const Slab box = padded_interval(ray, numbers, numbers + 3);
+  return box.near <= smaller(box.far, t_max) ? box.near : kMiss;
+}
+
+// Whether `a` counts before `b` at the same distance: what stands in the world, then what is seen
+// through instances, by the order of these; then the lower id.
+inline bool precedes(const Hit& a, const Hit& b) {
+  if (!b.found()) return true;
+  const std::uint32_t through_a = a.lane.seen_through(), through_b = b.lane.seen_through();
+  return through_a != through_b ? through_a < through_b : a.prim < b.prim;
+}
+
+// A hit inside an instance as the world sees it: not before the ray enters the instance's own box.
+// What is nearest inside was decided before, without regard to that box.
+inline void keep_seen_through(std::size_t instance, float entry, Hit inside, Hit& best) {
+  if (!inside.found()) return;
+  inside.t = larger(inside.t, entry);
+  inside.lane = inside.lane.through(instance);
+  if (inside.t < best.t || (inside.t == best.t && precedes(inside, best))) best = inside;
+}
+
+// Primitive `lane` of a leaf, whatever its kind but an instance.
 inline float intersect_lane(const PreparedRay& ray, const LeafRow* rows, LeafRef lane,
                             float t_max) {
   const auto number = [&](std::size_t k) { return leaf_float(rows, lane, k); };
   if (lane.kind() == ShapeKind::sphere) {
     return intersect_sphere(ray, number(0), number(1), number(2), number(3), t_max);
   }
-  if (lane.kind() == ShapeKind::triangle) {
-    float vertices[9];
-    for (std::size_t i = 0; i < 9; ++i) vertices[i] = number(i);
-    return intersect_triangle(ray, vertices, t_max);
+  if (!is_rectangle(lane.kind())) {
+    float numbers[9];
+    for (std::size_t i = 0; i < leaf_id_row(lane.kind()); ++i) numbers[i] = number(i);
+    return lane.kind() == ShapeKind::triangle ? intersect_triangle(ray, numbers, t_max)
+                                              : intersect_cylinder(ray, numbers, t_max);
   }
   return intersect_rectangle(ray, rectangle_axes(lane.kind()), number(0), number(1), number(2),
                              number(3), number(4), t_max);

@@ -12,7 +12,12 @@ class Maker {
 
   Scene make() {
     material_ = scene_.add_material(Lambertian{{0.5, 0.5, 0.5}});
-    for (std::size_t i = 0; i < config_.object_count; ++i) add_object();
+    const bool with_instances =
+        config_.shapes == Shapes::everything || config_.shapes == Shapes::instances;
+    const std::size_t instances = with_instances ? (config_.object_count + 2) / 3 : 0;
+    for (std::size_t i = 0; i < config_.object_count - instances; ++i) add_object();
+    if (instances > 0) add_prototypes();
+    for (std::size_t i = 0; i < instances; ++i) add_instance();
     return scene_;
   }
 
@@ -47,10 +52,63 @@ class Maker {
       case Shapes::triangles:
         return add_triangle();
       case Shapes::everything:
+      case Shapes::instances:
         break;
     }
-    const int kind = pick(4);
-    kind == 0 ? add_sphere() : kind == 1 ? add_rectangle() : add_triangle();
+    const int kind = pick(5);
+    if (kind == 0) return add_sphere();
+    if (kind == 1) return add_rectangle();
+    if (kind == 2) return add_cylinder();
+    add_triangle();
+  }
+
+  void add_cylinder() {
+    const Vec3d a(coordinate(), coordinate(), coordinate());
+    Cylinder c{a, a + step(), 0.3 * extent()};
+    if (odd_) {
+      const int what = pick(4);
+      if (what == 0) c.end = c.begin;
+      if (what == 1) c.end = {a.x, a.y, a.z + extent()};  // along an axis
+      if (what == 2 && !scene_.cylinders.empty()) c = scene_.cylinders.back();
+    }
+    scene_.add_cylinder(c, material_);
+  }
+
+  // Of triangles like those of the world; one of them is empty.
+  void add_prototypes() {
+    for (const std::size_t count : {1u, 0u, 20u, 70u}) {
+      Scene world = scene_;
+      scene_.triangles.clear();
+      scene_.triangle_materials.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        odd_ = between(0, 1) < config_.odd_share;
+        add_triangle();
+      }
+      world.vertices = scene_.vertices;
+      world.add_prototype(scene_.triangles, scene_.triangle_materials);
+      scene_ = world;
+    }
+  }
+
+  // Turned, scaled, sheared, mirrored, or nearly flat.
+  void add_instance() {
+    odd_ = between(0, 1) < config_.odd_share;
+    Instance instance;
+    instance.prototype = static_cast<std::uint32_t>(pick(4));
+    auto& rows = instance.to_world.rows;
+    const int what = odd_ ? pick(6) : 6;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const double size = i == j ? (pick(3) == 0 ? -1 : 1) * between(0.3, 1) : between(-0.3, 0.3);
+        rows[i][j] = static_cast<float>(what == 0 ? (i == j) : what == 1 ? 1e-3 * size : size);
+      }
+      rows[i][3] = static_cast<float>(what == 0 ? 0 : config_.size * between(-1, 1));
+    }
+    if (what == 2) {
+      for (float& number : rows[2]) number *= 1e-6f;
+    }
+    if (what == 4 && !scene_.instances.empty()) instance = scene_.instances.back();
+    scene_.add_instance(instance);
   }
 
   std::uint32_t add_vertex(const Vec3d& at) {
@@ -156,7 +214,16 @@ class RayMaker {
   // A point on, in or at the corner of the box of some object.
   Vec3d point_of_object() {
     if (!scene_.triangles.empty() && (scene_.runs.size() == 1 || pick(2) == 0)) {
-      return point_of_triangle();
+      const Vec3d at = point_of_triangle();
+      if (scene_.instances.empty() || pick(2) == 0) return at;
+      const auto count = static_cast<int>(scene_.instances.size());
+      return scene_.instances[static_cast<std::size_t>(pick(count))].to_world.point(at);
+    }
+    if (!scene_.cylinders.empty() && pick(3) == 0) {
+      const auto count = static_cast<int>(scene_.cylinders.size());
+      const Cylinder& c = scene_.cylinders[static_cast<std::size_t>(pick(count))];
+      const Vec3d off(between(-1, 1), between(-1, 1), between(-1, 1));
+      return c.begin + between(0, 1) * (c.end - c.begin) + c.radius * off;
     }
     const bool sphere = !scene_.spheres.empty() && pick(2) == 0;
     if (sphere) {

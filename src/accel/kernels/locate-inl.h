@@ -1,5 +1,6 @@
 // Accel::locate for one hit a lane, operation for operation.
 #include "accel/accel.h"
+#include "accel/locate.h"
 #include "accel/prepared_ray.h"
 #include "math/simd-inl.h"
 
@@ -26,37 +27,33 @@ struct SurfacePointVec {
   FloatVec error;
 };
 
-// The bits of a LeafRef without its kind count words from the first row.
+// The lower half of a LeafRef counts words from the first row.
 struct LeafWords {
   const std::uint32_t* words;
-  WordVec low, high;
+  WordVec index;
   bool near;  // all indices are small enough for a gather
 };
 
 HWY_INLINE LeafWords leaf_words(const LeafRow* rows, const HitVec& hit) {
   const Words d;
-  const WordVec high = hn::And(hit.lane_high, all_words(0x0fffffffu));
   // The farthest number of a leaf stands less than kMaxLeafRows on.
   const WordVec last = hn::Add(hit.lane_low, all_words(kMaxLeafRows * kLeafWidth));
-  const WordVec outside =
-      hn::Or(hn::Or(high, hn::ShiftRight<31>(hit.lane_low)), hn::ShiftRight<31>(last));
-  return {rows->words, hit.lane_low, high, hn::AllTrue(d, hn::Eq(outside, hn::Zero(d)))};
+  const WordVec outside = hn::ShiftRight<31>(hn::Or(hit.lane_low, last));
+  return {rows->words, hit.lane_low, hn::AllTrue(d, hn::Eq(outside, hn::Zero(d)))};
 }
 
 HWY_INLINE FloatVec gather_far(const LeafWords& leaf, std::size_t row) {
-  HWY_ALIGN std::uint32_t low[kLanes], high[kLanes], result[kLanes];
-  hn::Store(leaf.low, Words(), low);
-  hn::Store(leaf.high, Words(), high);
+  HWY_ALIGN std::uint32_t index[kLanes], result[kLanes];
+  hn::Store(leaf.index, Words(), index);
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const std::uint64_t index = std::uint64_t{high[i]} << 32 | low[i];
-    result[i] = leaf.words[index + row * kLeafWidth];
+    result[i] = leaf.words[std::size_t{index[i]} + row * kLeafWidth];
   }
   return floats_of_bits(hn::Load(Words(), result));
 }
 
 HWY_INLINE FloatVec leaf_floats(const LeafWords& leaf, std::size_t row) {
   if (HWY_UNLIKELY(!leaf.near)) return gather_far(leaf, row);
-  return floats_of_bits(gather(leaf.words + row * kLeafWidth, leaf.low));
+  return floats_of_bits(gather(leaf.words + row * kLeafWidth, leaf.index));
 }
 
 HWY_INLINE SurfacePointVec locate_on_spheres(const HitVec& hit, const LeafWords& leaf) {
@@ -155,21 +152,44 @@ HWY_INLINE SurfacePointVec select(FloatMask mask, const SurfacePointVec& yes,
           hn::IfThenElse(mask, yes.error, no.error)};
 }
 
-HWY_INLINE SurfacePointVec locate(const LeafRow* rows, const HitVec& hit) {
+// Lanes of `there` one by one, by the scalar definition.
+HWY_INLINE SurfacePointVec locate_one_by_one(const LeafRow* rows, const PlacedInstance* instances,
+                                             const HitVec& hit, FloatMask there) {
+  const Floats d;
+  const Words w;
+  HWY_ALIGN float numbers[7][kLanes];
+  HWY_ALIGN std::uint32_t low[kLanes], high[kLanes];
+  const FloatVec inputs[7] = {hit.origin.x,    hit.origin.y,    hit.origin.z, hit.direction.x,
+                              hit.direction.y, hit.direction.z, hit.t};
+  for (std::size_t i = 0; i < 7; ++i) hn::Store(inputs[i], d, numbers[i]);
+  hn::Store(hn::IfThenElseZero(word_mask(there), hit.lane_low), w, low);
+  hn::Store(hn::IfThenElseZero(word_mask(there), hit.lane_high), w, high);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if ((low[i] | high[i]) == 0) continue;
+    locate_lane(rows, instances, numbers[0] + i, kLanes, std::uint64_t{high[i]} << 32 | low[i]);
+  }
+  const auto result = [&](std::size_t i) { return hn::Load(d, numbers[i]); };
+  return {{result(0), result(1), result(2)}, {result(3), result(4), result(5)}, result(6)};
+}
+
+HWY_INLINE SurfacePointVec locate(const LeafRow* rows, const PlacedInstance* instances,
+                                  const HitVec& hit) {
+  const Words d;
   const LeafWords leaf = leaf_words(rows, hit);
   const WordVec kind = hn::ShiftRight<28>(hit.lane_high);
-  const FloatMask sphere = float_mask(hn::Eq(kind, hn::Zero(Words())));
+  const FloatMask sphere = float_mask(hn::Eq(kind, hn::Zero(d)));
   if (HWY_LIKELY(hn::AllTrue(Floats(), sphere))) return locate_on_spheres(hit, leaf);
   const auto triangle_kind = static_cast<std::uint32_t>(ShapeKind::triangle);
-  const FloatMask triangle = float_mask(hn::Eq(kind, all_words(triangle_kind)));
+  const FloatMask triangle = float_mask(hn::Eq(hit.lane_high, all_words(triangle_kind << 28)));
   SurfacePointVec at = locate_on_rectangles(hit, leaf, kind);
   if (any(triangle)) {
     // A triangle has more rows than others, which need not exist for a leaf of those.
-    const WordMask words = word_mask(triangle);
-    const LeafWords of_triangles = {leaf.words, hn::IfThenElseZero(words, leaf.low),
-                                    hn::IfThenElseZero(words, leaf.high), leaf.near};
+    const LeafWords of_triangles = {leaf.words, hn::IfThenElseZero(word_mask(triangle), leaf.index),
+                                    leaf.near};
     at = select(triangle, locate_on_triangles(hit, of_triangles), at);
   }
+  const FloatMask seldom = float_mask(hn::Gt(hit.lane_high, all_words(triangle_kind << 28)));
+  if (any(seldom)) at = select(seldom, locate_one_by_one(rows, instances, hit, seldom), at);
   if (any(sphere)) at = select(sphere, locate_on_spheres(hit, leaf), at);
   return at;
 }

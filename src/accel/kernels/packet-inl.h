@@ -382,7 +382,9 @@ HWY_NOINLINE bool trace_packet(const WideBvhView& bvh, const Ray* rays, PacketSe
        current = pop_nearest(pending, bounds.t_best)) {
     if (work > kPacketBudget) return false;
     if (current.is_leaf()) {
-      if (current.leaf_kind() == ShapeKind::triangle && !bounds.one_axis) return false;
+      const ShapeKind kind = current.leaf_kind();
+      if (kind > ShapeKind::triangle) return false;  // not for packets
+      if (kind == ShapeKind::triangle && !bounds.one_axis) return false;
       work += visit_leaf(bounds, current, bvh.rows.data(), packet);
       bounds.t_best = extent_of(packet.best_t).high;
     } else {
