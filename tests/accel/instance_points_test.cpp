@@ -167,6 +167,25 @@ TEST(Instances, CostMemoryForThemselvesOnly) {
   EXPECT_LT(bytes_with(2500) - bytes_with(500), std::size_t{2000} * 160);
 }
 
+// A map without an inverse, which scenes do not have when they are validated.
+TEST(Instances, ThoseWithoutAnInverseShowNothing) {
+  Scene scene, mesh;
+  const MaterialId material = scene.add_material(Lambertian{});
+  add_cube_mesh({{0, 0, 0}, 1, 2, 0, 0}, material, mesh);
+  scene.vertices = mesh.vertices;
+  Instance flat;
+  flat.prototype = scene.add_prototype(mesh.triangles, mesh.triangle_materials);
+  for (float& number : flat.to_world.rows[1]) number = 0;
+  scene.add_instance(flat);
+  Ray ray;
+  ray.origin = {0, 5, 0};
+  ray.direction = {0, -1, 0};
+  for (const AccelKind kind : {AccelKind::linear, AccelKind::median, AccelKind::fast}) {
+    EXPECT_FALSE(make_accel(kind, scene)->intersect(ray).found());
+    EXPECT_FALSE(make_accel(kind, scene)->occluded(ray));
+  }
+}
+
 // Equal distances: what stands in the world first, then instances by their order.
 TEST(Instances, TiesGoToTheWorldAndThenToTheFirst) {
   Scene scene;

@@ -90,7 +90,7 @@ class Maker {
     }
   }
 
-  // Turned, scaled, sheared, mirrored, or flat.
+  // Turned, scaled, sheared, mirrored, or nearly flat.
   void add_instance() {
     odd_ = between(0, 1) < config_.odd_share;
     Instance instance;
@@ -104,9 +104,8 @@ class Maker {
       }
       rows[i][3] = static_cast<float>(what == 0 ? 0 : config_.size * between(-1, 1));
     }
-    if (what == 2) rows[2][0] = rows[2][1] = rows[2][2] = 0;
-    if (what == 3) {
-      for (float& number : rows[1]) number = 0;
+    if (what == 2) {
+      for (float& number : rows[2]) number *= 1e-6f;
     }
     if (what == 4 && !scene_.instances.empty()) instance = scene_.instances.back();
     scene_.add_instance(instance);
