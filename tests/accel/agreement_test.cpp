@@ -98,7 +98,8 @@ TEST_P(Agreement, OverNastyScenes) {
     const std::uint64_t seed = GetParam() * kScenesPerShard + i;
     const NastyConfig config = nasty_config(seed);
     const Scene scene = nasty_scene(config, seed);
-    ASSERT_TRUE(validate(SceneView(scene))) << "seed " << seed;
+    const auto valid = validate(SceneView(scene));
+    ASSERT_TRUE(valid) << "seed " << seed << ": " << to_string(valid.error());
     const auto rays = nasty_rays(scene, config, kRaysPerScene, seed);
     expect_all_agree(scene, rays, "scene of seed " + std::to_string(seed));
     for (const std::uint8_t hit :

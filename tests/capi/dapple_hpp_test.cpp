@@ -129,7 +129,7 @@ TEST_F(CppInterface, MeshesAreHit) {
   dapple::Hit hits[2];
   ASSERT_TRUE(accelerator->intersect(rays, hits));
   for (std::uint32_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(hits[i].t, 10.0f);
+    EXPECT_FLOAT_EQ(hits[i].t, 10.0f);
     EXPECT_EQ(hits[i].shape, dapple::Shape::triangle);
     EXPECT_EQ(hits[i].index, i);
     EXPECT_EQ(hits[i].instance, dapple::no_instance);

@@ -74,9 +74,9 @@ class Maker {
     scene_.add_cylinder(c, material_);
   }
 
-  // Of triangles like those of the world; one of them is empty.
+  // Of triangles like those of the world.
   void add_prototypes() {
-    for (const std::size_t count : {1u, 0u, 20u, 70u}) {
+    for (const std::size_t count : {1u, 2u, 20u, 70u}) {
       Scene world = scene_;
       scene_.triangles.clear();
       scene_.triangle_materials.clear();
