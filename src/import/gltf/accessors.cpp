@@ -28,6 +28,7 @@ struct Layout {
   std::size_t rows = 0;          // of a column; all of them for vectors
   std::size_t column_bytes = 0;  // columns of matrices begin at multiples of four bytes
   std::size_t element_bytes = 0;
+  std::size_t used_bytes = 0;  // without what fills up the last column
   std::size_t stride = 0;
   std::size_t offset = 0;
   bool normalised = false;
@@ -47,6 +48,8 @@ Layout packed_layout(std::uint64_t component_type, std::string_view type) {
   const std::size_t columns = layout.components / layout.rows;
   if (columns > 1) layout.column_bytes = (layout.column_bytes + 3) / 4 * 4;
   layout.element_bytes = layout.column_bytes * columns;
+  layout.used_bytes =
+      layout.column_bytes * (columns - 1) + layout.rows * component_bytes(component_type);
   layout.stride = layout.element_bytes;
   return layout;
 }
@@ -113,7 +116,7 @@ bool fits(const Layout& layout, std::uint64_t count, std::uint64_t size) {
   std::uint64_t end = 0;
   return count > 0 && !__builtin_mul_overflow(count - 1, layout.stride, &end) &&
          !__builtin_add_overflow(end, layout.offset, &end) &&
-         !__builtin_add_overflow(end, layout.element_bytes, &end) && end <= size;
+         !__builtin_add_overflow(end, layout.used_bytes, &end) && end <= size;
 }
 
 struct Reader {
@@ -135,7 +138,7 @@ struct Reader {
     if (!view) return layout;
     const JsonValue& stride = buffers.context().document["bufferViews"][*view]["byteStride"];
     if (stride.is_number()) layout.stride = stride.count().value_or(0);
-    if (layout.stride < layout.element_bytes) {
+    if (layout.stride < layout.used_bytes) {
       return error("", "the byteStride of its buffer view is less than one element");
     }
     return layout;
@@ -235,8 +238,9 @@ std::size_t component_bytes(std::uint64_t component_type) {
   }
 }
 
-std::size_t element_bytes(std::uint64_t component_type, std::string_view type) {
-  return packed_layout(component_type, type).element_bytes;
+ElementSize element_size(std::uint64_t component_type, std::string_view type) {
+  const Layout layout = packed_layout(component_type, type);
+  return {layout.element_bytes, layout.used_bytes};
 }
 
 template <class T>

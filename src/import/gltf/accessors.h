@@ -27,8 +27,12 @@ std::size_t component_count(std::string_view type);
 // Bytes of a component type by its OpenGL number; 0 if unknown.
 std::size_t component_bytes(std::uint64_t component_type);
 
-// Bytes of one element without a stride; 0 if unknown.
-std::size_t element_bytes(std::uint64_t component_type, std::string_view type);
+// Bytes from one packed element to the next, and of the last one; 0 if unknown.
+struct ElementSize {
+  std::size_t step = 0;
+  std::size_t last = 0;
+};
+ElementSize element_size(std::uint64_t component_type, std::string_view type);
 
 class Accessors {
  public:

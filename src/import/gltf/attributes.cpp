@@ -85,6 +85,37 @@ Status read_influences(AttributeSource& source, std::size_t count, Influences& i
   return {};
 }
 
+// Counts the elements of an attribute whose numbers break a rule, for a warning.
+template <class Broken>
+void doubt(AttributeSource& source, const std::string& name, Primitive& primitive, const char* rule,
+           Broken broken) {
+  const auto elements = source.floats(name);
+  if (!elements || *elements == nullptr) return;
+  const FloatElements& e = **elements;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < e.count(); ++i) count += broken(e[i], e.components) ? 1 : 0;
+  if (count == 0) return;
+  primitive.doubts.push_back(
+      fmt::format("{} of the {} elements of {} {}", count, e.count(), name, rule));
+}
+
+bool is_no_unit(const float* v, std::size_t) {
+  return std::fabs(dot(vec3(v), vec3(v)) - 1) > 0.05f;
+}
+
+bool is_outside_unit(const float* v, std::size_t components) {
+  return std::any_of(v, v + components, [](float x) { return !(x >= 0 && x <= 1); });
+}
+
+void doubt_attributes(AttributeSource& source, Primitive& primitive) {
+  doubt(source, "NORMAL", primitive, "are not of unit length", is_no_unit);
+  doubt(source, "TANGENT", primitive, "are not of unit length", is_no_unit);
+  doubt(source, "TANGENT", primitive, "have no side of 1 or -1",
+        [](const float* v, std::size_t n) { return n == 4 && std::fabs(v[3]) != 1; });
+  doubt(source, "COLOR_0", primitive, "are not from 0 to 1", is_outside_unit);
+  doubt(source, "WEIGHTS_0", primitive, "are not from 0 to 1", is_outside_unit);
+}
+
 }  // namespace
 
 Expected<SharedFloats> AccessorSource::floats(const std::string& name) {
@@ -119,6 +150,7 @@ Status read_attributes(AttributeSource& source, Primitive& primitive) {
     const Vec3f t = unit(vec3(from));
     return Vec4f{t.x, t.y, t.z, from[3] < 0 ? -1.0f : 1.0f};
   };
+  doubt_attributes(source, primitive);
   return read("POSITION", 3, 3, v.positions, position)
       .and_then([&] { return read("NORMAL", 3, 3, v.normals, unit_normal); })
       .and_then([&] { return read("TANGENT", 4, 4, v.tangents, unit_tangent); })

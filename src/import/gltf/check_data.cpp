@@ -61,7 +61,7 @@ class DataChecker {
     const std::uint64_t type = a["componentType"].count().value_or(0);
     const std::size_t components = component_count(a["type"].text());
     const std::size_t component = component_bytes(type);
-    const std::size_t element = element_bytes(type, a["type"].text());
+    const ElementSize element = element_size(type, a["type"].text());
     for (const char* bound : {"min", "max"}) {
       if (a.has(bound) && a[bound].size() != components) {
         return error(std::string("/") + bound, "has not one number for each component");
@@ -78,11 +78,12 @@ class DataChecker {
     }
     const JsonValue& v = view_of(a);
     if (!v.is_object()) return {};
-    const std::uint64_t stride = v["byteStride"].count().value_or(element);
-    if (stride < element) return error("", "one element is larger than the stride of its view");
+    const std::uint64_t stride = v["byteStride"].count().value_or(element.step);
+    if (stride < element.last)
+      return error("", "one element is larger than the stride of its view");
     std::uint64_t end = 0;
     if (__builtin_mul_overflow(count - 1, stride, &end) ||
-        __builtin_add_overflow(end, element + offset_of(a), &end) ||
+        __builtin_add_overflow(end, element.last + offset_of(a), &end) ||
         end > v["byteLength"].count().value_or(0)) {
       return error("", fmt::format("{} elements do not fit into its view", count));
     }

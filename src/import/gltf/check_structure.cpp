@@ -188,6 +188,7 @@ Status check_structure(const Context& context) {
   if (!context.document.root().is_object()) {
     return context.document.error("", "its JSON is not an object");
   }
+  if (context.document.has_mark()) context.warn("", "its JSON begins with a byte order mark");
   Checker checker(context);
   return checker.check_version()
       .and_then([&] { return checker.check_object(context.document.root(), kRootSchema, ""); })

@@ -92,10 +92,14 @@ Vertices morphed(const Primitive& primitive, std::span<const double> weights) {
   }
   if (count > 0) {
     for (Vec3f& n : v.normals) n = unit_or_zero(Vec3d(n));
-    for (Vec4f& c : v.colours) {
-      c = {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f),
-           std::clamp(c.w, 0.0f, 1.0f)};
+    for (Vec4f& t : v.tangents) {
+      const Vec3f unit = unit_or_zero(Vec3d(t.xyz()));
+      t = {unit.x, unit.y, unit.z, t.w};
     }
+  }
+  for (Vec4f& c : v.colours) {
+    c = {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f),
+         std::clamp(c.w, 0.0f, 1.0f)};
   }
   return v;
 }

@@ -27,6 +27,7 @@ Expected<Document> Document::open(const std::string& path) {
   Document document(path, std::move(*file), std::move(*folder));
   document.root_ = std::move(*root);
   document.bin_ = container->bin;
+  document.has_mark_ = container->text.starts_with("\xef\xbb\xbf");
   return document;
 }
 

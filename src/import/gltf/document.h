@@ -21,6 +21,8 @@ class Document {
   const JsonValue& root() const { return root_; }
   const JsonValue& operator[](std::string_view key) const { return root_[key]; }
   std::optional<std::span<const std::byte>> bin() const { return bin_; }
+  // The text begins with a byte order mark, which glTF forbids.
+  bool has_mark() const { return has_mark_; }
   const Sandbox& folder() const { return folder_; }
 
   // "FILE, /meshes/0": where the errors and warnings about a JSON pointer lie.
@@ -35,6 +37,7 @@ class Document {
   MappedFile file_;
   Sandbox folder_;
   JsonValue root_;
+  bool has_mark_ = false;
   std::optional<std::span<const std::byte>> bin_;
 };
 

@@ -109,12 +109,11 @@ constexpr Property kSpot[] = {
     {.name = "innerConeAngle", .low = 0, .high = 1.5707963267948966},
     {.name = "outerConeAngle", .low = 0, .high = 1.5707963267948966, .above_low = true}};
 constexpr Schema kSpotSchema{kSpot, ""};
-constexpr Property kLight[] = {
-    colour("color", 1),
-    positive("intensity"),
-    {.name = "range", .low = 0, .above_low = true},
-    {.name = "type", .kind = text, .required = true, .choices = "|directional|point|spot|"},
-    {.name = "spot", .kind = object, .object = &kSpotSchema}};
+constexpr Property kLight[] = {colour("color", 1),
+                               positive("intensity"),
+                               {.name = "range", .low = 0, .above_low = true},
+                               {.name = "type", .kind = text, .required = true},
+                               {.name = "spot", .kind = object, .object = &kSpotSchema}};
 constexpr Schema kLightSchema{kLight, "light"};
 constexpr Property kLights[] = {{.name = "lights",
                                  .kind = object,

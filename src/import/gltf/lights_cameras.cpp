@@ -100,6 +100,12 @@ Status add_lights(const Context& context, const std::vector<PlacedNode>& nodes) 
       return context.document.error(fmt::format("/nodes/{}/extensions/{}", node.index, kLights),
                                     "the light does not exist");
     }
+    const std::string& type = lights[*index]["type"].text();
+    if (type != "point" && type != "spot" && type != "directional") {
+      context.warn(fmt::format("/extensions/{}/lights/{}", kLights, *index),
+                   "lights of type " + type + " are not known and left out");
+      continue;
+    }
     context.builder.add_light(light_at(node.to_world, lights[*index]));
     any = true;
   }

@@ -148,7 +148,10 @@ class PrimitiveReader {
 Expected<Primitive> read_primitive(Accessors& accessors, const Context& context,
                                    const JsonValue& json, const std::string& pointer) {
   auto primitive = PrimitiveReader(accessors, context, json).read();
-  if (primitive) return primitive;
+  if (primitive) {
+    for (const std::string& doubt : primitive->doubts) context.warn(pointer, doubt);
+    return primitive;
+  }
   // Errors about an accessor know their place; those about the primitive say only which part.
   Error error = primitive.error();
   if (error.place.find(", /") == std::string::npos) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "import/gltf/accessors.h"
@@ -34,6 +35,7 @@ struct Primitive {
   std::vector<Triangle> triangles;
   std::vector<std::array<std::uint32_t, 2>> lines;
   std::vector<std::uint32_t> points;
+  std::vector<std::string> doubts;  // about its attributes: warnings to be
 };
 
 // One without positions is empty. Vertices that nothing uses are left out.
