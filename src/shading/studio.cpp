@@ -43,6 +43,8 @@ constexpr std::array<Softbox, 4> kSoftboxes{{
     {{0.02f, 1.0f, 0.05f}, 0.5f, 0.5f, 3.0f},
 }};
 
+constexpr float kExposure = 0.55f;  // shows a white floor just below white
+
 float room(const Vec3f& d) {
   const float above = mix(0.42f, 0.62f, smooth_step(0.0f, 0.9f, d.y));
   const float below = mix(0.36f, 0.2f, smooth_step(0.0f, 0.8f, -d.y));
@@ -63,7 +65,7 @@ std::vector<Vec3f> studio_pixels() {
       const Vec3f d(polar.sin * around.cos, polar.cos, polar.sin * around.sin);
       float radiance = room(d);
       for (const Softbox& box : kSoftboxes) radiance += box.at(d);
-      pixels.push_back(grey(radiance));
+      pixels.push_back(grey(kExposure * radiance));
     }
   }
   return pixels;
