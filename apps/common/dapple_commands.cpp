@@ -212,6 +212,13 @@ const std::vector<ExitCode> kExitCodes = {
     {74, "Reading or writing failed half-way."},
 };
 
+// `command` can open models too.
+CommandInfo with_import_options(CommandInfo command) {
+  const auto options = import_options();
+  command.options.insert(command.options.begin() + 1, options.begin(), options.end());
+  return command;
+}
+
 std::vector<ExitCode> with_common_codes(const std::vector<ExitCode>& own) {
   std::vector<ExitCode> all = kExitCodes;
   all.insert(own.empty() || own[0].code > 1 ? all.end() : all.begin() + 1, own.begin(), own.end());
@@ -232,7 +239,9 @@ CommandInfo make_dapple() {
       .examples = {{"dapple render nice -o nice.png", "Render a picture."},
                    {"dapple scenes", "Which scenes are there?"}},
       .exit_codes = {{75, "Interrupted by a signal; the same command line can run again."}},
-      .commands = {bench(), compare(), convert(), info(), render(), scaling_command(), scenes()},
+      .commands = {with_import_options(bench()), compare(), with_import_options(convert()),
+                   with_import_options(info()), render(), with_import_options(scaling_command()),
+                   scenes()},
   };
   program.exit_codes = with_common_codes(program.exit_codes);
   for (CommandInfo& command : program.commands) {

@@ -169,7 +169,7 @@ Expected<int> run_render(const Arguments& arguments) {
   }
 
   Clock clock;
-  const auto input = open_scene(arguments, scope_for(report.accel), import_options_from(arguments));
+  const auto input = open_scene(arguments, scope_for(report.accel));
   if (!input) return tl::unexpected(input.error());
   const auto view = view_of(*input, arguments);
   if (!view) return tl::unexpected(view.error());

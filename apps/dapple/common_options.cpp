@@ -4,6 +4,7 @@
 
 #include "accel/kernels/dispatch.h"
 #include "common/program.h"
+#include "dapple/view_arguments.h"
 #include "parallel/parallel.h"
 
 namespace dapple {
@@ -13,13 +14,12 @@ Status set_up_computing(const Arguments& arguments) {
   return check_isa_override();
 }
 
-Expected<SceneInput> open_scene(const Arguments& arguments, VerifyScope scope,
-                                const ImportOptions& import) {
+Expected<SceneInput> open_scene(const Arguments& arguments, VerifyScope scope) {
   VerifyOptions options;
   options.hashes = !arguments.given("trust");
   options.copy = arguments.given("copy");
   options.scope = scope;
-  auto input = open_scene_input(arguments.text("SCENE"), options, import);
+  auto input = open_scene_input(arguments.text("SCENE"), options, import_options_from(arguments));
   if (!input) return input;
   for (const std::string& warning : input->warnings) {
     print_message(fmt::format("dapple: warning: {}\n", warning));

@@ -12,7 +12,6 @@ namespace dapple {
 // SCENE, read as --trust, --copy and, where the command has them, the options of imports say.
 // Warnings of an import are printed.
 [[nodiscard]] Expected<SceneInput> open_scene(const Arguments& arguments,
-                                              VerifyScope scope = VerifyScope::everything,
-                                              const ImportOptions& import = {});
+                                              VerifyScope scope = VerifyScope::everything);
 
 }  // namespace dapple

@@ -1,6 +1,7 @@
 // Scenes of the C++ interface: opening, saving, and what every scene has.
 #include "accel/wide_builder.h"
 #include "capi/api_state.h"
+#include "render/scene_input.h"
 #include "scene/scene_arrays.h"
 #include "scene/validate.h"
 #include "scene_file/writer.h"
@@ -24,10 +25,10 @@ Scene::Scene(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {
 
 Result<Scene> Scene::open(const std::string& name_or_path) noexcept {
   return guarded([&]() -> Result<Scene> {
-    auto source = SceneSource::open(name_or_path);
-    if (!source) return to_error(source.error());
+    auto input = open_scene_input(name_or_path);
+    if (!input) return to_error(input.error());
     auto state = std::make_shared<State>();
-    state->source.emplace(std::move(*source));
+    state->source.emplace(std::move(input->source));
     return Scene(std::move(state));
   });
 }

@@ -3,10 +3,14 @@
 #include <utility>
 
 #include "import/registry.h"
+#include "render/framing.h"
+#include "scene/prims.h"
 #include "scene/validate.h"
 
 namespace dapple {
 namespace {
+
+constexpr double kUsualAspect = 4.0 / 3.0;  // of a picture whose size is not known yet
 
 Expected<SceneInput> import_input(const std::string& path, const ImportOptions& options) {
   auto imported = import_scene(path, options);
@@ -17,6 +21,9 @@ Expected<SceneInput> import_input(const std::string& path, const ImportOptions& 
     return tl::unexpected(std::move(error));
   }
   const bool has_camera = !imported->scene.cameras.empty();
+  if (!has_camera) {
+    imported->scene.camera = frame_scene(scene_bounds(imported->scene), kUsualAspect);
+  }
   return SceneInput{SceneSource::of(std::move(imported->scene)), has_camera,
                     std::move(imported->warnings)};
 }

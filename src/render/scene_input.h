@@ -12,7 +12,7 @@ namespace dapple {
 
 struct SceneInput {
   SceneSource source;
-  bool has_camera = true;             // false: the scene's camera is only the default one
+  bool has_camera = true;             // false: the file had none, and one was made that sees it all
   std::vector<std::string> warnings;  // a line each
 
   const SceneView& view() const { return source.view(); }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "scene/validate.h"
+
 namespace dapple::test {
 namespace {
 
@@ -108,7 +110,8 @@ class Maker {
       for (float& number : rows[2]) number *= 1e-6f;
     }
     if (what == 4 && !scene_.instances.empty()) instance = scene_.instances.back();
-    scene_.add_instance(instance);
+    // The nearly flat may be too flat, or thrown too far by being turned back.
+    if (is_valid(instance.to_world)) scene_.add_instance(instance);
   }
 
   std::uint32_t add_vertex(const Vec3d& at) {
