@@ -13,10 +13,14 @@ demo:
 test:
 	./run test
 
+# MEASURE=1 measures anew first.
+report:
+	./run report $(if $(MEASURE),measure)
+
 install: all
 	DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
 
 clean:
 	rm -rf build $(PROGRAMS) demo-output
 
-.PHONY: all demo test install clean
+.PHONY: all demo test report install clean

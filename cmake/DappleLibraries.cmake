@@ -13,3 +13,12 @@ pkg_check_modules(JPEG REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
 pkg_check_modules(DRACO REQUIRED IMPORTED_TARGET draco)
 find_package(meshoptimizer REQUIRED)
+
+# FBX, COLLADA, 3DS and others; without it these formats are named in an error.
+if(DAPPLE_ASSIMP)
+  find_package(assimp QUIET CONFIG)
+  if(NOT TARGET assimp::assimp)
+    message(STATUS "assimp was not found (Debian: libassimp-dev): FBX, COLLADA, 3DS and other "
+                   "formats that are read through it will not be imported")
+  endif()
+endif()

@@ -4,6 +4,7 @@ option(DAPPLE_BUILD_BENCH "Build the benchmarks" OFF)
 option(DAPPLE_BUILD_FUZZERS "Build the fuzz targets (clang only)" OFF)
 option(DAPPLE_ROOT_LINKS "Link the programs into the source folder" OFF)
 option(DAPPLE_WERROR "Treat warnings as errors" OFF)
+option(DAPPLE_ASSIMP "Import FBX, COLLADA, 3DS and others through assimp where it is found" ON)
 set(DAPPLE_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
 
 # Release is -O3 with both compilers. There is no -march: one binary serves every x86-64, and the

@@ -1,10 +1,14 @@
-// scene_file_corpus FOLDER: small scene files to begin fuzzing with, with and without a BVH.
+// scene_file_corpus FOLDER: small scene files to begin fuzzing with, with and without a BVH, and
+// models with everything that a file can hold.
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <string>
 
 #include "accel/wide_builder.h"
 #include "scene/named_scenes.h"
 #include "scene_file/writer.h"
+#include "tests/scene_file/random_model.h"
 
 int main(int argc, char** argv) {
   using namespace dapple;
@@ -23,6 +27,13 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", to_string(status.error()).c_str());
         return 1;
       }
+    }
+  }
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const std::string path = fmt::format("{}/model-{}", argv[1], seed);
+    if (const auto status = store_scene_file(path, test::random_model(seed)); !status) {
+      std::fprintf(stderr, "%s\n", to_string(status.error()).c_str());
+      return 1;
     }
   }
   return 0;

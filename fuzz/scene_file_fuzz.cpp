@@ -8,8 +8,11 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <string>
 
 #include "accel/wide_accel.h"
+#include "scene/describe.h"
+#include "scene/scene_arrays.h"
 #include "scene/validate.h"
 #include "scene_file/verify.h"
 #include "scene_file/writer.h"
@@ -23,16 +26,47 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-// Reads every number of the scene; the sum keeps the reads.
+// Reads every byte of the scene's arrays; the sum keeps the reads.
 double walk(const SceneView& scene) {
   double sum = scene.camera.focus_distance;
-  for_each_object(scene, [&](ShapeKind kind, std::size_t index) {
-    const auto& material = scene.materials[index_of(scene.materials_of(kind)[index])];
-    sum += static_cast<double>(material.index());
-    sum += kind == ShapeKind::sphere ? scene.spheres[index].radius
-                                     : scene.rectangles[rectangle_index(kind)][index].k;
-  });
+  for_each_array(
+      [&](SceneArray, const auto& elements) {
+        for (const std::byte b : std::as_bytes(elements)) sum += std::to_integer<int>(b);
+      },
+      scene);
+  for (const Material& material : scene.materials) sum += static_cast<double>(material.index());
   return sum;
+}
+
+// What follows an index finds something.
+void follow(const SceneView& scene) {
+  for (std::size_t k = 0; k < kShapeKindCount; ++k) {
+    for (const MaterialId id : scene.materials_of(static_cast<ShapeKind>(k))) {
+      require(index_of(id) < scene.materials.size());
+    }
+  }
+  for (const Triangle& t : scene.triangles) {
+    for (const std::uint32_t v : t.vertices) require(v < scene.vertices.positions.size());
+  }
+  for (const Instance& instance : scene.instances) {
+    const Prototype& p = scene.prototypes[instance.prototype];
+    require(std::uint64_t{p.first_triangle} + p.triangle_count <= scene.triangles.size());
+  }
+  for (const Texture& texture : scene.textures) {
+    const TextureImage& image = scene.images[static_cast<std::size_t>(texture.image)];
+    require(image.offset + image.bytes() <= scene.texels.size());
+  }
+}
+
+// Text of any scene ends, and the JSON with its last bracket.
+void describe_it(const SceneView& scene) {
+  std::string text;
+  const TextSink keep = [&](std::string_view piece) -> Status {
+    text = piece;
+    return {};
+  };
+  require(describe(scene, DescribeDetail::full, keep).has_value());
+  require(describe_json(scene, keep).has_value() && text.ends_with("}\n"));
 }
 
 // Rays through a proven BVH end, and find only primitives of the scene.
@@ -43,7 +77,7 @@ void trace(const SceneView& scene) {
     ray.origin = {static_cast<float>(i), 3, -10};
     ray.direction = {0.1f * static_cast<float>(i % 3), -0.2f, 1};
     const Hit hit = static_cast<const Accel&>(accel).intersect(ray);
-    require(!hit.found() || hit.prim < scene.object_count());
+    require(!hit.found() || hit.prim < prim_count(scene));
   }
 }
 
@@ -55,6 +89,8 @@ void read(std::span<const std::byte> file, const VerifyOptions& options) {
   require(validate(loaded->view).has_value());
   volatile double sum = walk(loaded->view);
   static_cast<void>(sum);
+  follow(loaded->view);
+  describe_it(loaded->view);
   const auto ignore = [](std::span<const std::byte>) -> Status { return {}; };
   require(write_scene_bytes(loaded->view, ignore).has_value());
 }

@@ -41,7 +41,7 @@ std::string synopsis(const CommandInfo& command) {
 
 std::string help_text(const OptionInfo& option) {
   std::vector<std::string> notes;
-  if (option.kind == ValueKind::integer) {
+  if (option.kind == ValueKind::integer || option.kind == ValueKind::integers) {
     notes.push_back(fmt::format("{} to {}", option.low, option.high));
   }
   if (!option.default_value.empty()) notes.push_back("default " + option.default_value);

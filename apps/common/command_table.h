@@ -12,7 +12,11 @@ namespace dapple {
 enum class ValueKind {
   flag,         // no value: given or not
   integer,      // a decimal integer in [low, high]
+  integers,     // such integers, separated by commas
   number,       // a decimal number, at least 0
+  real,         // a decimal number, of any sign
+  triple,       // three of those with commas between
+  text,         // anything but nothing
   choice,       // one of `choices`
   input_file,   // an existing file
   output_file,  // a file to write

@@ -1,4 +1,6 @@
 #include "common/command_table.h"
+#include "common/model_options.h"
+#include "common/scaling_command.h"
 #include "common/shared_options.h"
 #include "render/settings.h"
 
@@ -33,6 +35,7 @@ CommandInfo bench() {
                   seed_option(),
                   threads_option(),
                   trust_option(),
+                  copy_option(),
                   json_option("Print the figures as JSON"),
                   help_option()},
       .examples = {{"dapple bench irreg:1000", "The default structure on a million spheres."},
@@ -88,6 +91,7 @@ CommandInfo convert() {
                   {.name = "no-bvh", .help = "Store the scene alone: a smaller file"},
                   threads_option(),
                   trust_option(),
+                  copy_option(),
                   quiet_option(),
                   help_option()},
       .examples = {{"dapple convert spheres:10000000 -o cloud.scene",
@@ -103,7 +107,8 @@ CommandInfo info() {
       .paragraphs = {"Prints the camera, the counts and every object of SCENE, as text or as "
                      "JSON."},
       .arguments = {scene_argument()},
-      .options = {json_option("Print the whole scene as JSON"), trust_option(), help_option()},
+      .options = {json_option("Print the whole scene as JSON"), trust_option(), copy_option(),
+                  help_option()},
       .examples = {{"dapple info nice", "A named scene as text."},
                    {"dapple info --json my.scene | jq .counts", "How much is in a file?"}},
   };
@@ -130,6 +135,8 @@ CommandInfo render() {
       .paragraphs = {"Renders SCENE and writes the image when it is complete. The ending of FILE "
                      "chooses the format: .png, .exr, .pfm, .hdr, or PPM for any other. The same "
                      "options give the same image, bit for bit, on any number of threads.",
+                     "A model without a camera is shown whole, from a little to the right and "
+                     "above. One without light stands in a neutral studio.",
                      "On a terminal, a rendering of more than a second shows its progress. SIGINT "
                      "and SIGTERM stop it; nothing is written then."},
       .arguments = {scene_argument()},
@@ -140,16 +147,19 @@ CommandInfo render() {
                    .letter = 's',
                    .kind = ValueKind::integer,
                    .value = "N",
-                   .help = "Samples for each pixel",
-                   .default_value = "16",
-                   .low = 1,
+                   .help =
+                       "Samples for each pixel; 0 takes 16 for classic scenes and 64 for models",
+                   .default_value = "0",
+                   .low = 0,
                    .high = kMaxSamplesPerPixel},
                   {.name = "depth",
                    .kind = ValueKind::integer,
                    .value = "N",
-                   .help = "Scatterings after which a path is cut",
-                   .default_value = "5",
-                   .low = 1,
+                   .help =
+                       "Scatterings after which a path is cut; 0 takes 5 for classic scenes and "
+                       "12 for models",
+                   .default_value = "0",
+                   .low = 0,
                    .high = kMaxDepth},
                   seed_option(),
                   threads_option(),
@@ -157,16 +167,23 @@ CommandInfo render() {
                                "image is the same",
                                "fast")},
       .examples = {{"dapple render nice -o nice.png", "A named scene with the default settings."},
+                   {"dapple render model.glb -o model.png",
+                    "A model of an editor, in a studio if it brings no light."},
+                   {"dapple render model.glb -o model.png --environment sky.hdr --orbit 45,60,3",
+                    "In other surroundings, from elsewhere."},
                    {"dapple render my.scene -o my.exr --width 1920 --height 1080 --spp 256",
                     "A scene file, to an image with high dynamic range."},
                    {"dapple render irreg:1000 -o big.png --threads 4 --json",
                     "A generated scene on four threads, with figures for a script."}},
       .exit_codes = {{75, "Interrupted by a signal; the same command line can run again."}},
   };
-  for (const OptionInfo& option : image_options()) command.options.push_back(option);
+  for (const auto& list : {view_options(), import_options(), picture_options(), image_options()}) {
+    command.options.insert(command.options.end(), list.begin(), list.end());
+  }
   for (const OptionInfo& option :
-       {trust_option(), json_option("Print settings and times as JSON on standard output"),
-        quiet_option(), help_option()}) {
+       {trust_option(), copy_option(),
+        json_option("Print settings and times as JSON on standard output"), quiet_option(),
+        help_option()}) {
     command.options.push_back(option);
   }
   return command;
@@ -195,6 +212,13 @@ const std::vector<ExitCode> kExitCodes = {
     {74, "Reading or writing failed half-way."},
 };
 
+// `command` can open models too.
+CommandInfo with_import_options(CommandInfo command) {
+  const auto options = import_options();
+  command.options.insert(command.options.begin() + 1, options.begin(), options.end());
+  return command;
+}
+
 std::vector<ExitCode> with_common_codes(const std::vector<ExitCode>& own) {
   std::vector<ExitCode> all = kExitCodes;
   all.insert(own.empty() || own[0].code > 1 ? all.end() : all.begin() + 1, own.begin(), own.end());
@@ -215,7 +239,9 @@ CommandInfo make_dapple() {
       .examples = {{"dapple render nice -o nice.png", "Render a picture."},
                    {"dapple scenes", "Which scenes are there?"}},
       .exit_codes = {{75, "Interrupted by a signal; the same command line can run again."}},
-      .commands = {bench(), compare(), convert(), info(), render(), scenes()},
+      .commands = {with_import_options(bench()), compare(), with_import_options(convert()),
+                   with_import_options(info()), render(), with_import_options(scaling_command()),
+                   scenes()},
   };
   program.exit_codes = with_common_codes(program.exit_codes);
   for (CommandInfo& command : program.commands) {

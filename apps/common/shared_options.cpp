@@ -27,6 +27,13 @@ OptionInfo trust_option() {
               "all the same"};
 }
 
+OptionInfo copy_option() {
+  return {.name = "copy",
+          .help =
+              "Copy scene files into memory before they are checked, for files "
+              "that somebody else may change meanwhile"};
+}
+
 OptionInfo seed_option() {
   return {.name = "seed",
           .kind = ValueKind::integer,
@@ -53,7 +60,7 @@ OptionInfo threads_option() {
 OptionInfo scene_argument() {
   return {.name = "SCENE",
           .kind = ValueKind::scene,
-          .help = "A named scene, such as nice or irreg:1000, or a scene file",
+          .help = "A named scene, such as nice or irreg:1000, a scene file, or a model file",
           .required = true};
 }
 

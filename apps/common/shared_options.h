@@ -8,6 +8,7 @@ namespace dapple {
 [[nodiscard]] OptionInfo help_option();
 [[nodiscard]] OptionInfo quiet_option();
 [[nodiscard]] OptionInfo trust_option();
+[[nodiscard]] OptionInfo copy_option();
 [[nodiscard]] OptionInfo seed_option();
 [[nodiscard]] OptionInfo threads_option();
 [[nodiscard]] OptionInfo scene_argument();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -30,14 +31,50 @@ std::string place_of(const OptionInfo& info) {
   return is_argument ? std::string(info.name) : fmt::format("--{}", info.name);
 }
 
-Expected<double> parse_number(const std::string& text, const std::string& name) {
+Expected<double> parse_real(std::string_view text, const std::string& name) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value) || std::signbit(value)) {
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    return fail(Errc::usage, name, fmt::format("'{}' is not a number", text));
+  }
+  return value;
+}
+
+Expected<double> parse_number(const std::string& text, const std::string& name) {
+  const auto value = parse_real(text, name);
+  if (!value || std::signbit(*value)) {
     return fail(Errc::usage, name, fmt::format("'{}' is not a number from 0 on", text));
   }
   return value;
+}
+
+Expected<std::array<double, 3>> parse_triple(std::string_view text, const std::string& name) {
+  const auto wrong =
+      fail(Errc::usage, name, fmt::format("'{}' is not three numbers with commas between", text));
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == text.npos) != (i == 2)) return wrong;
+    const auto value = parse_real(text.substr(0, comma), name);
+    if (!value) return wrong;
+    values[i] = *value;
+    if (i < 2) text.remove_prefix(comma + 1);
+  }
+  return values;
+}
+
+Expected<std::vector<int>> parse_integers(const std::string& text, const OptionInfo& info) {
+  std::vector<int> values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto value = parse_integer(std::string_view(text).substr(begin, end - begin),
+                                     place_of(info), info.low, info.high);
+    if (!value) return tl::unexpected(value.error());
+    values.push_back(static_cast<int>(*value));
+    begin = end + 1;
+  }
+  return values;
 }
 
 Status check_choice(const OptionInfo& info, const std::string& value) {
@@ -52,8 +89,14 @@ Status check_value(const OptionInfo& info, const std::string& value) {
   switch (info.kind) {
     case ValueKind::integer:
       return parse_integer(value, place_of(info), info.low, info.high).map(drop_value);
+    case ValueKind::integers:
+      return parse_integers(value, info).map(drop_value);
     case ValueKind::number:
       return parse_number(value, place_of(info)).map(drop_value);
+    case ValueKind::real:
+      return parse_real(value, place_of(info)).map(drop_value);
+    case ValueKind::triple:
+      return parse_triple(value, place_of(info)).map(drop_value);
     case ValueKind::choice:
       return check_choice(info, value);
     case ValueKind::flag:
@@ -61,6 +104,7 @@ Status check_value(const OptionInfo& info, const std::string& value) {
     case ValueKind::input_file:
     case ValueKind::output_file:
     case ValueKind::scene:
+    case ValueKind::text:
       break;
   }
   if (!value.empty()) return {};
@@ -161,8 +205,20 @@ int Arguments::small_integer(std::string_view name) const {
   return static_cast<int>(integer(name));
 }
 
+std::vector<int> Arguments::integers(std::string_view name) const {
+  return parse_integers(text(name), info_of(*command_, name)).value();
+}
+
 double Arguments::number(std::string_view name) const {
   return parse_number(text(name), std::string(name)).value();
+}
+
+double Arguments::real(std::string_view name) const {
+  return parse_real(text(name), std::string(name)).value();
+}
+
+std::array<double, 3> Arguments::triple(std::string_view name) const {
+  return parse_triple(text(name), std::string(name)).value();
 }
 
 Expected<const CommandInfo*> find_command(const CommandInfo& program, std::string_view name) {

@@ -1,6 +1,7 @@
 // A command line, read by the table of its command.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -26,7 +27,11 @@ class Arguments {
   std::string text(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
   int small_integer(std::string_view name) const;  // for options whose range fits an int
+  // Of an option that takes several, of which the table says that they fit an int.
+  std::vector<int> integers(std::string_view name) const;
   double number(std::string_view name) const;
+  double real(std::string_view name) const;
+  std::array<double, 3> triple(std::string_view name) const;
   // Everything that was given, else the default alone.
   std::vector<std::string> texts(std::string_view name) const;
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "accel/kernels/dispatch.h"
@@ -10,22 +11,15 @@
 #include "dapple/commands.h"
 #include "dapple/common_options.h"
 #include "dapple/progress_bar.h"
+#include "dapple/view_arguments.h"
 #include "image/formats.h"
+#include "image/tone_map.h"
 #include "parallel/parallel.h"
+#include "render/lit_scene.h"
 #include "render/render_job.h"
 
 namespace dapple {
 namespace {
-
-RenderSettings settings_from(const Arguments& arguments) {
-  RenderSettings settings;
-  settings.width = arguments.small_integer("width");
-  settings.height = arguments.small_integer("height");
-  settings.samples_per_pixel = arguments.small_integer("spp");
-  settings.max_scatterings = arguments.small_integer("depth");
-  settings.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
-  return settings;
-}
 
 ImageWriteOptions write_options_from(const Arguments& arguments) {
   ImageWriteOptions options;
@@ -44,8 +38,11 @@ VerifyScope scope_for(AccelKind kind) {
 struct Report {
   RenderSettings settings;
   AccelKind accel = AccelKind::fast;
+  bool classic = true;
   double load_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
   std::uint64_t dropped_samples = 0;
+  double clamped_radiance = 0;
+  float exposure = 0;  // stops
 
   double samples() const {
     return static_cast<double>(settings.width) * settings.height * settings.samples_per_pixel;
@@ -78,6 +75,8 @@ std::string as_json(const Report& report, const Arguments& arguments) {
       {"write_seconds", report.write_seconds},
       {"samples_per_second", report.samples_per_second()},
       {"dropped_samples", report.dropped_samples},
+      {"clamped_radiance", report.clamped_radiance},
+      {"exposure", report.exposure},
   };
   // File names need not be UTF-8.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -103,14 +102,55 @@ Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, 
   return result;
 }
 
-Status print_report(const Report& report, const Arguments& arguments) {
+void print_warning(const std::string& text) {
+  print_message(fmt::format("dapple: warning: {}\n", text));
+}
+
+bool is_black(const Image& image) {
+  return std::all_of(image.pixels.begin(), image.pixels.end(),
+                     [](const Vec3f& pixel) { return pixel == Vec3f(); });
+}
+
+void print_warnings(const Report& report, const Image& image) {
   if (report.dropped_samples > 0) {
-    print_message(fmt::format("dapple: warning: {} samples were not finite and count as black\n",
-                              report.dropped_samples));
+    print_warning(
+        fmt::format("{} samples were not finite and count as black", report.dropped_samples));
   }
+  if (is_black(image)) {
+    print_warning("the picture is black: no light reaches the camera, or nothing is in its sight");
+  }
+  if (report.clamped_radiance > 0) {
+    print_warning(fmt::format("clamping took {:.3g} of radiance from the mean pixel",
+                              report.clamped_radiance / 3));
+  }
+}
+
+Status print_report(const Report& report, const Arguments& arguments) {
   if (arguments.given("json")) return print_output(as_json(report, arguments));
   if (!arguments.given("quiet")) print_message(as_line(report, arguments.text("output")));
   return {};
+}
+
+// Linear formats keep the radiance as it is.
+bool is_display_format(const std::string& path) {
+  const auto ends = [&](std::string_view ending) { return format_ending(path) == ending; };
+  return ends(".png") || ends(".ppm");
+}
+
+// Lamps alone may be of any strength; surroundings are as bright as pictures are.
+float exposure_for(const Arguments& arguments, const SceneView& scene, const Image& image) {
+  if (arguments.given("exposure")) return static_cast<float>(arguments.real("exposure"));
+  return scene.environment.kind == EnvironmentKind::none ? automatic_exposure(image) : 0.0f;
+}
+
+// The view that the command line asks for.
+Expected<EditedView> view_of(const SceneInput& input, const Arguments& arguments) {
+  auto options = view_options_from(arguments);
+  if (!options) return tl::unexpected(options.error());
+  options->frame = !input.has_camera;
+  const double aspect =
+      static_cast<double>(arguments.small_integer("width")) / arguments.small_integer("height");
+  return EditedView::create(input.view(), *options, aspect);
 }
 
 }  // namespace
@@ -120,9 +160,8 @@ Expected<int> run_render(const Arguments& arguments) {
   catch_stop_signals();
   const std::string output = arguments.text("output");
   Report report;
-  report.settings = settings_from(arguments);
   report.accel = parse_accel_kind(arguments.text("accel")).value();
-  if (auto status = validate(report.settings)
+  if (auto status = validate(settings_from(arguments, true))
                         .and_then([&] { return set_up_computing(arguments); })
                         .and_then([&] { return check_output(output); });
       !status) {
@@ -130,15 +169,25 @@ Expected<int> run_render(const Arguments& arguments) {
   }
 
   Clock clock;
-  const auto scene = open_scene(arguments, scope_for(report.accel));
-  if (!scene) return tl::unexpected(scene.error());
+  const auto input = open_scene(arguments, scope_for(report.accel));
+  if (!input) return tl::unexpected(input.error());
+  const auto view = view_of(*input, arguments);
+  if (!view) return tl::unexpected(view.error());
   report.load_seconds = lap(clock);
+  report.classic = is_classic(view->view());
+  report.settings = settings_from(arguments, report.classic);
   if (auto status = check_stop(); !status) return tl::unexpected(status.error());
-  const auto result = render_scene(scene->view(), !arguments.given("quiet"), report);
+  auto result = render_scene(view->view(), !arguments.given("quiet"), report);
   if (!result) return tl::unexpected(result.error());
   report.dropped_samples = result->dropped_samples;
+  report.clamped_radiance = result->clamped_radiance;
+  print_warnings(report, result->image);
 
   clock = Clock();
+  if (is_display_format(output)) {
+    report.exposure = exposure_for(arguments, view->view(), result->image);
+    apply_tone_map(result->image, tone_map_from(arguments, report.classic), report.exposure);
+  }
   if (auto status = write_image(output, result->image, write_options_from(arguments)); !status) {
     return tl::unexpected(status.error());
   }

@@ -15,12 +15,13 @@
 namespace dapple {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, CommandFunction>, 6> kFunctions = {{
+constexpr std::array<std::pair<std::string_view, CommandFunction>, 7> kFunctions = {{
     {"bench", run_bench},
     {"compare", run_compare},
     {"convert", run_convert},
     {"info", run_info},
     {"render", run_render},
+    {"scaling", run_scaling},
     {"scenes", run_scenes},
 }};
 

@@ -10,6 +10,7 @@ namespace dapple {
 [[nodiscard]] Expected<int> run_convert(const Arguments& arguments);
 [[nodiscard]] Expected<int> run_info(const Arguments& arguments);
 [[nodiscard]] Expected<int> run_render(const Arguments& arguments);
+[[nodiscard]] Expected<int> run_scaling(const Arguments& arguments);
 [[nodiscard]] Expected<int> run_scenes(const Arguments& arguments);
 
 using CommandFunction = Expected<int> (*)(const Arguments& arguments);

@@ -1,6 +1,10 @@
 #include "dapple/common_options.h"
 
+#include <fmt/format.h>
+
 #include "accel/kernels/dispatch.h"
+#include "common/program.h"
+#include "dapple/view_arguments.h"
 #include "parallel/parallel.h"
 
 namespace dapple {
@@ -10,11 +14,17 @@ Status set_up_computing(const Arguments& arguments) {
   return check_isa_override();
 }
 
-Expected<SceneSource> open_scene(const Arguments& arguments, VerifyScope scope) {
+Expected<SceneInput> open_scene(const Arguments& arguments, VerifyScope scope) {
   VerifyOptions options;
   options.hashes = !arguments.given("trust");
+  options.copy = arguments.given("copy");
   options.scope = scope;
-  return SceneSource::open(arguments.text("SCENE"), options);
+  auto input = open_scene_input(arguments.text("SCENE"), options, import_options_from(arguments));
+  if (!input) return input;
+  for (const std::string& warning : input->warnings) {
+    print_message(fmt::format("dapple: warning: {}\n", warning));
+  }
+  return input;
 }
 
 }  // namespace dapple

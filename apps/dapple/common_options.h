@@ -2,15 +2,16 @@
 #pragma once
 
 #include "dapple/arguments.h"
-#include "scene_file/scene_source.h"
+#include "render/scene_input.h"
 
 namespace dapple {
 
 // --threads, and what the environment says about kernels.
 [[nodiscard]] Status set_up_computing(const Arguments& arguments);
 
-// SCENE, read as --trust says.
-[[nodiscard]] Expected<SceneSource> open_scene(const Arguments& arguments,
-                                               VerifyScope scope = VerifyScope::everything);
+// SCENE, read as --trust, --copy and, where the command has them, the options of imports say.
+// Warnings of an import are printed.
+[[nodiscard]] Expected<SceneInput> open_scene(const Arguments& arguments,
+                                              VerifyScope scope = VerifyScope::everything);
 
 }  // namespace dapple

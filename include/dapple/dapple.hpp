@@ -89,12 +89,51 @@ DAPPLE_API_NAMESPACE {
   struct Dielectric {
     double ref_idx = 1.5;  // of the inside over the outside
   };
-  using Material = std::variant<Lambertian, Metal, Dielectric>;
 
-  // Of the scene that made it.
+  // These are of the scene that made them.
   enum class MaterialId : std::uint32_t {};
+  enum class PrototypeId : std::uint32_t {};
+  enum class TextureId : std::uint32_t {};
+  inline constexpr TextureId no_texture{0xffffffffu};
 
-  enum class Shape : std::uint32_t { sphere, xy_rectangle, xz_rectangle, yz_rectangle };
+  // The surface of models: glTF's metallic-roughness model with its usual extensions. A scene with
+  // such materials is rendered with its lights, in single precision.
+  struct Layered {
+    Colour base_colour{1, 1, 1};
+    double alpha = 1;  // below 1: seen through in part
+    double metallic = 0;
+    double roughness = 1;
+    Colour emission = {};  // radiance
+    double ior = 1.5;
+    double specular = 1;
+    Colour specular_colour{1, 1, 1};
+    double transmission = 0;
+    double thickness = 0;  // 0: a thin wall, which bends no light
+    double attenuation_distance = std::numeric_limits<double>::infinity();
+    Colour attenuation_colour{1, 1, 1};  // what is left after that distance inside
+    double clearcoat = 0;
+    double clearcoat_roughness = 0;
+    Colour sheen_colour = {};
+    double sheen_roughness = 0;
+    double anisotropy = 0;
+    double anisotropy_rotation = 0;  // radians counter-clockwise from the tangent
+    bool double_sided = true;
+    TextureId base_colour_map = no_texture;         // sRGB; multiplies colour and alpha
+    TextureId metallic_roughness_map = no_texture;  // g roughness, b metallic
+    TextureId normal_map = no_texture;              // tangent space
+    TextureId emissive_map = no_texture;            // sRGB
+  };
+  using Material = std::variant<Lambertian, Metal, Dielectric, Layered>;
+
+  enum class Shape : std::uint32_t {
+    sphere,
+    xy_rectangle,
+    xz_rectangle,
+    yz_rectangle,
+    triangle,
+    cylinder,
+    instance,
+  };
 
   // Axis-aligned: u and v are the axes in the shape's name, k is its place on the third.
   struct Rectangle {
@@ -108,6 +147,45 @@ DAPPLE_API_NAMESPACE {
     double vertical_fov = 75;  // degrees
     double aperture = 0.01;    // diameter of the lens
     double focus_distance = 10;
+    double orthographic_height = 0;  // what the picture's height spans; 0: in perspective
+  };
+
+  // Triangles with vertices of their own. Attributes are there for every vertex or left out.
+  struct Mesh {
+    std::span<const float> positions;          // x y z
+    std::span<const std::uint32_t> triangles;  // three vertices each, counter-clockwise outside
+    std::span<const float> normals = {};       // x y z of any length; zero: that of the triangle
+    std::span<const float> uvs = {};           // u v; (0, 0) is the corner of the first texel
+    std::span<const float> colours = {};       // r g b a, linear
+  };
+
+  // Rows of an affine map, the last column the translation. It must have an inverse.
+  struct Transform {
+    float rows[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  };
+
+  struct Light {
+    enum class Kind : std::uint32_t { point, spot, directional };
+    Kind kind = Kind::point;
+    Point position = {};
+    Point direction{0, 0, -1};        // the way light travels, of any length
+    Colour intensity{1, 1, 1};        // per steradian; directional: irradiance at right angles
+    double inner_angle = 0;           // spot: radians from the axis, full light up to here
+    double outer_angle = 0.78539816;  // and none from here on
+  };
+
+  struct Environment {
+    enum class Kind : std::uint32_t {
+      classic_sky,  // the blue sky and the light transport of the classic scenes
+      none,         // black
+      constant,     // `colour` from everywhere
+      image,        // `image` around the scene, equirectangular
+      studio,       // a neutral studio
+    };
+    Kind kind = Kind::classic_sky;
+    Colour colour{1, 1, 1};  // multiplies all kinds but the classic sky
+    TextureId image = no_texture;
+    double rotation = 0;  // degrees about the y axis
   };
 
   class Accelerator;
@@ -123,6 +201,22 @@ DAPPLE_API_NAMESPACE {
     // Errors: an unknown material, a number that is not finite or too large.
     Status add_sphere(const Point& centre, double radius, MaterialId material) noexcept;
     Status add_rectangle(Shape shape, const Rectangle& rectangle, MaterialId material) noexcept;
+    // Solid, with flat ends.
+    Status add_cylinder(const Point& begin, const Point& end, double radius,
+                        MaterialId material) noexcept;
+    // Errors also: an index that is not below the number of vertices, spans whose sizes disagree.
+    Status add_mesh(const Mesh& mesh, MaterialId material) noexcept;
+    // A mesh that is seen only where instances place it, however often.
+    Result<PrototypeId> add_prototype(const Mesh& mesh, MaterialId material) noexcept;
+    Status add_instance(PrototypeId prototype, const Transform& to_world) noexcept;
+
+    // Texels from the top row down, four bytes (red, green, blue, alpha) or three floats (linear
+    // red, green, blue) each.
+    Result<TextureId> add_texture(int width, int height,
+                                  std::span<const std::uint8_t> rgba) noexcept;
+    Result<TextureId> add_texture(int width, int height, std::span<const float> rgb) noexcept;
+    Status add_light(const Light& light) noexcept;
+    Status set_environment(const Environment& environment) noexcept;
     Status set_camera(const Camera& camera) noexcept;
 
     Camera camera() const noexcept;
@@ -148,10 +242,15 @@ DAPPLE_API_NAMESPACE {
     float t_max = std::numeric_limits<float>::infinity();
   };
 
+  inline constexpr std::uint32_t no_instance = 0xffffffffu;
+
   struct Hit {
     float t = std::numeric_limits<float>::infinity();  // infinity: nothing was hit
     Shape shape = Shape::sphere;
-    std::uint32_t index = 0;  // of the object among those of its shape, in the order of adding
+    // Of the object among those of its shape, in the order of adding; of triangles those of meshes
+    // come first, then those of prototypes.
+    std::uint32_t index = 0;
+    std::uint32_t instance = no_instance;  // the one through which the triangle is seen
 
     bool found() const noexcept { return t < std::numeric_limits<float>::infinity(); }
   };

@@ -106,7 +106,8 @@ DAPPLE_API int store_scene(char* fname, size_t num_objects, struct object* objec
 struct loaded_scene; /* opaque */
 
 /*
- * Reads a scene file whole, checking all of it. Free the result with free_loaded_scene().
+ * Reads a scene file whole, checking all of it. A scene with anything that the structs above cannot
+ * say, such as triangles or lights, is refused. Free the result with free_loaded_scene().
  * NULL on failure: scene_io_last_error() has the reason.
  */
 DAPPLE_API struct loaded_scene* load_scene(const char* fname);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "accel/hit.h"
+#include "accel/placed_instance.h"
 #include "math/bounds3.h"
 #include "math/ray.h"
 #include "scene/scene_view.h"
@@ -32,13 +33,17 @@ struct AccelStats {
 
 // The place on a surface that a hit denotes.
 struct SurfacePoint {
-  Vec3f position;   // on the surface to within `error`
-  Vec3f outward;    // unit normal: away from a sphere's centre, along a rectangle's third axis
-  float error = 0;  // bound on the distance between `position` and the exact surface
+  Vec3f position;  // on the surface to within `error`
+  // Unit normal: away from a sphere's centre, along a rectangle's third axis, to the side from
+  // which a triangle's vertices run counter-clockwise.
+  Vec3f outward;
+  float error = 0;     // bound on the distance between `position` and the exact surface
+  float u = 0, v = 0;  // weights of a triangle's second and third vertex; the first has the rest
 };
 
 // A few units in the last place of the largest coordinate that went into a position.
 inline constexpr float kPositionError = 0x1p-21f;
+inline constexpr float kTrianglePositionError = 0x1p-20f;
 // Squares below this have lost digits.
 inline constexpr float kSmallestNormal = std::numeric_limits<float>::min();
 
@@ -59,17 +64,22 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray) const;
 
-  // Where the lanes of hits point into.
+  // Where the lanes of hits point into, and what those are seen through.
   const LeafRow* leaf_rows() const { return leaf_rows_; }
+  const PlacedInstance* instances() const { return instances_; }
   // `hit` must have been found by this structure for this ray.
   SurfacePoint locate(const Ray& ray, const Hit& hit) const;
 
  protected:
   // To be called before any ray is traced: where hits point into.
-  void set_leaf_rows(const LeafRow* rows) { leaf_rows_ = rows; }
+  void set_leaves(const LeafRow* rows, std::span<const PlacedInstance> instances) {
+    leaf_rows_ = rows;
+    instances_ = instances.data();
+  }
 
  private:
   const LeafRow* leaf_rows_ = nullptr;
+  const PlacedInstance* instances_ = nullptr;
 };
 
 // Names as on the command line; an unknown one is an error that lists them.

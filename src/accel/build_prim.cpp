@@ -17,22 +17,32 @@ BuildPrim make_prim(const Bounds3f& box, std::size_t id) {
 
 }  // namespace
 
-HugeArray<BuildPrim> make_build_prims(const SceneView& scene) {
+HugeArray<BuildPrim> make_build_prims(const SceneView& scene, const PrototypeBoxes& prototypes) {
   HugeArray<BuildPrim> prims(scene.object_count());
   const auto first_ids = first_prim_ids(scene);
+  BuildPrim* to = prims.data();
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
-    const std::size_t first = first_ids[k];
-    parallel_for_chunks(scene.count(kind), kGrain, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = scene.object_count(kind);
+    parallel_for_chunks(count, kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Bounds3f box =
-            kind == ShapeKind::sphere
-                ? sphere_bounds(scene.spheres[i])
-                : rectangle_bounds(kind, scene.rectangles[rectangle_index(kind)][i]);
-        prims[first + i] = make_prim(box, first + i);
+        to[i] = make_prim(shape_bounds(scene, prototypes, kind, i), first_ids[k] + i);
       }
     });
+    to += count;
   }
+  return prims;
+}
+
+HugeArray<BuildPrim> make_prototype_prims(const SceneView& scene, const Prototype& prototype) {
+  HugeArray<BuildPrim> prims(prototype.triangle_count);
+  const std::size_t first_id = first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::triangle)];
+  parallel_for_chunks(prims.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t index = prototype.first_triangle + i;
+      prims[i] = make_prim(triangle_bounds(scene, scene.triangles[index]), first_id + index);
+    }
+  });
   return prims;
 }
 

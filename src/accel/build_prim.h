@@ -3,7 +3,7 @@
 
 #include "math/bounds3.h"
 #include "math/float4.h"
-#include "scene/scene_view.h"
+#include "scene/prims.h"
 #include "util/huge_array.h"
 
 namespace dapple {
@@ -51,7 +51,11 @@ inline Bounds3f Box4::bounds() const {
   return {{l[0], l[1], l[2]}, {h[0], h[1], h[2]}};
 }
 
-// The boxes of all primitives of a scene, in the order of their ids. In parallel.
-[[nodiscard]] HugeArray<BuildPrim> make_build_prims(const SceneView& scene);
+// The boxes of what stands in the world, or of the triangles of one prototype, in the order of ids.
+// In parallel.
+[[nodiscard]] HugeArray<BuildPrim> make_build_prims(const SceneView& scene,
+                                                    const PrototypeBoxes& prototypes);
+[[nodiscard]] HugeArray<BuildPrim> make_prototype_prims(const SceneView& scene,
+                                                        const Prototype& prototype);
 
 }  // namespace dapple

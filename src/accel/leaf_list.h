@@ -11,12 +11,14 @@
 
 namespace dapple {
 
+// Leaves of what stands in the world and of each prototype.
 class LeafList {
  public:
   LeafList() = default;
   explicit LeafList(const SceneView& scene);
 
-  std::span<const LeafRef> leaves() const { return leaves_; }
+  std::span<const LeafRef> leaves() const { return std::span(leaves_).first(world_leaf_count_); }
+  std::span<const LeafRef> leaves_of_prototype(std::size_t prototype) const;
   const LeafRow* rows() const { return rows_.data(); }
   std::size_t bytes() const { return rows_.bytes() + leaves_.size() * sizeof(leaves_[0]); }
 
@@ -24,8 +26,17 @@ class LeafList {
   LeafRef lane_of(PrimId id) const;
 
  private:
-  std::array<std::size_t, kShapeKindCount> first_ids_{};
-  std::array<std::size_t, kShapeKindCount> first_leaves_{};  // of each kind
+  // Primitives with ids from first_id on, of one kind, in the leaves from first_leaf on.
+  struct Group {
+    std::size_t first_id = 0, first_leaf = 0;
+  };
+
+  void add_group(ShapeKind kind, std::size_t first_id, std::size_t count);
+
+  std::vector<Group> groups_;                // by ascending ids; none is empty
+  std::vector<std::size_t> prototype_ends_;  // their leaves follow those of the world
+  std::size_t world_leaf_count_ = 0;
+  std::size_t row_count_ = 0;
   std::vector<LeafRef> leaves_;
   HugeArray<LeafRow> rows_;
 };

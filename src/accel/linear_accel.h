@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accel/accel.h"
+#include "accel/kernels/dispatch.h"
 #include "accel/leaf_list.h"
 
 namespace dapple {
@@ -19,6 +20,9 @@ class LinearAccel final : public Accel {
 
  private:
   LeafList list_;
+  std::vector<std::span<const LeafRef>> prototypes_;
+  std::vector<PlacedInstance> instances_;
+  LinearView view_;
   Bounds3f bounds_;
   std::size_t prim_count_;
 };

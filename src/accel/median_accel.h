@@ -33,12 +33,19 @@ class MedianAccel final : public Accel {
   };
 
   void build(std::span<BuildPrim> prims, int axis, std::size_t node);
+  void visit_instance(const PreparedRay& ray, LeafRef lane, Hit& best) const;
+  bool instance_occludes(const PreparedRay& ray, LeafRef lane) const;
   void visit(const PreparedRay& ray, std::size_t node, Hit& best) const;
   bool occludes(const PreparedRay& ray, std::size_t node) const;
 
-  std::vector<Node> nodes_;  // depth first: a subtree of n primitives is 2n - 1 nodes
+  // Depth first: a subtree of n primitives is 2n - 1 nodes. The trees of prototypes follow that
+  // of the world.
+  std::vector<Node> nodes_;
   LeafList list_;
+  std::vector<PlacedInstance> instances_;
+  PrimId first_instance_ = 0;
   std::size_t prim_count_ = 0;
+  std::size_t leaf_count_ = 0;
 };
 
 }  // namespace dapple

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "math/ray.h"
@@ -13,10 +14,21 @@ struct PreparedRay {
   float origin[3];
   float t_min;  // at least 0
   float direction[3];
-  float t_max;        // negative when the ray can hit nothing
-  float inverse[3];   // of the direction, never zero or infinite
-  float inverse_dot;  // 1 / dot(direction, direction)
+  float t_max;           // negative when the ray can hit nothing
+  float inverse[3];      // of the direction, never zero or infinite
+  float inverse_dot;     // 1 / dot(direction, direction)
+  float inverse_far[3];  // a little more: by this, boxes are left (see kFarPad)
+  std::uint32_t axis;    // of the largest component of the direction: the z of the ray's own frame
+  float shear[2];        // how far the ray goes along the x and y of that frame for one step of z
 };
+
+// Whether a ray passes a triangle is computed otherwise than whether it passes a box, with other
+// roundings. So that no box turns away a ray that meets a triangle in it, even at the very edge,
+// rays leave boxes this much later: many times the rounding of either [Ize13].
+inline constexpr float kFarPad = 1.0f + 0x1p-18f;
+
+// The axes of a ray's own frame.
+inline std::uint32_t next_axis(std::uint32_t axis) { return axis == 2 ? 0 : axis + 1; }
 
 // A component below this in magnitude is treated as this large where it is divided by: distances
 // to planes stay finite for coordinates up to 1e18, so that no test ever sees a NaN.
@@ -26,7 +38,7 @@ inline float safe_inverse(float d) {
   return 1.0f / (std::fabs(d) < kSmallestDirection ? std::copysign(kSmallestDirection, d) : d);
 }
 
-// The numbers that are not vectors.
+// What is not three numbers alike. The vectors must be there.
 inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
   const float squared = dot(ray.direction, ray.direction);
   const float origin_size =
@@ -38,6 +50,13 @@ inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
                       origin_size <= std::numeric_limits<float>::max() &&
                       ray.t_max >= prepared.t_min;
   prepared.t_max = usable ? ray.t_max : -1.0f;
+  const float x = std::fabs(ray.direction.x), y = std::fabs(ray.direction.y);
+  const float z = std::fabs(ray.direction.z);
+  const std::uint32_t axis = x >= y ? (x >= z ? 0u : 2u) : (y >= z ? 1u : 2u);
+  const std::uint32_t kx = next_axis(axis), ky = next_axis(kx);
+  prepared.axis = axis;
+  prepared.shear[0] = prepared.direction[kx] * prepared.inverse[axis];
+  prepared.shear[1] = prepared.direction[ky] * prepared.inverse[axis];
 }
 
 inline PreparedRay prepare(const Ray& ray) {
@@ -46,6 +65,7 @@ inline PreparedRay prepare(const Ray& ray) {
     prepared.origin[axis] = ray.origin[axis];
     prepared.direction[axis] = ray.direction[axis];
     prepared.inverse[axis] = safe_inverse(ray.direction[axis]);
+    prepared.inverse_far[axis] = prepared.inverse[axis] * kFarPad;
   }
   prepare_scalars(ray, prepared);
   return prepared;

@@ -7,10 +7,12 @@
 
 namespace dapple {
 
-RangeSplitter::RangeSplitter(const SceneView& scene)
+RangeSplitter::RangeSplitter(const SceneView& scene, const PrototypeBoxes& prototypes,
+                             HugeArray<BuildPrim> prims)
     : scene_(scene),
+      prototypes_(prototypes),
       first_ids_(first_prim_ids(scene)),
-      prims_(make_build_prims(scene)),
+      prims_(std::move(prims)),
       scratch_(prims_.size() > kParallelRange ? prims_.size() : 0) {}
 
 ShapeKind RangeSplitter::kind_of(PrimId id) const {
@@ -65,7 +67,7 @@ void RangeSplitter::write_leaf(const PrimRange& range, LeafRow* leaf) const {
   const std::size_t first_id = first_ids_[static_cast<std::size_t>(kind)];
   clear_leaf(kind, leaf);
   for (std::size_t i = 0; i < range.size(); ++i) {
-    write_lane(scene_, kind, ids[i] - first_id, ids[i], leaf, i);
+    write_lane(scene_, prototypes_, kind, ids[i] - first_id, ids[i], leaf, i);
   }
 }
 

@@ -18,7 +18,9 @@ enum class SplitBy {
 
 class RangeSplitter {
  public:
-  explicit RangeSplitter(const SceneView& scene);
+  // Of those primitives of the scene, which must outlive this, as must the boxes of prototypes.
+  RangeSplitter(const SceneView& scene, const PrototypeBoxes& prototypes,
+                HugeArray<BuildPrim> prims);
 
   std::size_t prim_count() const { return prims_.size(); }
   PrimRange whole() const { return measure_range(prims_.span(), 0, prims_.size()); }
@@ -39,6 +41,7 @@ class RangeSplitter {
   RangePair split_by_id(const PrimRange& range);
 
   const SceneView& scene_;
+  const PrototypeBoxes& prototypes_;
   std::array<std::size_t, kShapeKindCount> first_ids_;
   HugeArray<BuildPrim> prims_;
   HugeArray<BuildPrim> scratch_;  // for ranges that several threads split together

@@ -6,12 +6,22 @@
 
 namespace dapple {
 
-WideAccel::WideAccel(const SceneView& scene) : view_(scene.bvh), prim_count_(scene.object_count()) {
-  if (view_.empty()) {
+WideAccel::WideAccel(const SceneView& scene) : prim_count_(scene.object_count()) {
+  WideBvhView& bvh = view_;
+  bvh = scene.bvh;
+  if (bvh.empty()) {
     built_ = build_wide_bvh(scene);
-    view_ = built_.view();
+    bvh = built_.view();
   }
-  set_leaf_rows(view_.rows.data());
+  if (!scene.instances.empty()) {
+    instances_ = place_instances(scene, prototype_roots(scene, bvh.nodes));
+    view_.instances = instances_;
+    view_.first_id =
+        static_cast<PrimId>(first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::instance)]);
+  }
+  // Prototypes that nothing shows: a ray must not start in them.
+  if (prim_count_ == 0) bvh = {};
+  set_leaves(bvh.rows.data(), instances_);
 }
 
 void WideAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
@@ -27,6 +37,7 @@ void WideAccel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> occl
 AccelStats WideAccel::stats() const {
   AccelStats stats = wide_stats(view_);
   stats.prim_count = prim_count_;
+  stats.bytes += instances_.size() * sizeof(instances_[0]);
   return stats;
 }
 

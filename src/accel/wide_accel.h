@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accel/accel.h"
+#include "accel/kernels/dispatch.h"
 #include "accel/wide_builder.h"
 
 namespace dapple {
@@ -18,11 +19,12 @@ class WideAccel final : public Accel {
   AccelStats stats() const override;
   Bounds3f bounds() const override;
 
-  const WideBvhView& view() const { return view_; }
+  const WideView& view() const { return view_; }
 
  private:
   WideBvh built_;
-  WideBvhView view_;
+  std::vector<PlacedInstance> instances_;
+  WideView view_;
   std::size_t prim_count_;
 };
 

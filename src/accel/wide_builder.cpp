@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accel/binary_tree.h"
+#include "accel/placed_instance.h"
 #include "accel/range_splitter.h"
 #include "parallel/tasks.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 // A range up to this size is one task: a binary tree whose wide nodes are chosen together.
 constexpr std::size_t kTaskPrims = std::size_t{1} << 13;
-constexpr std::size_t kMaxLeafRows = 6;
 // From this depth on larger ranges are split in half by number. With the halving of binary trees
 // this keeps the deepest tree within kMaxWideDepth.
 constexpr int kHalvingDepth = 10;
@@ -43,7 +43,8 @@ std::size_t add_empty_node(Fragment& fragment) {
 
 class Builder {
  public:
-  explicit Builder(const SceneView& scene) : splitter_(scene) {}
+  Builder(const SceneView& scene, const PrototypeBoxes& prototypes, HugeArray<BuildPrim> prims)
+      : splitter_(scene, prototypes, std::move(prims)) {}
 
   // Splits the child with the largest surface until there are kWideWidth or only small ones.
   void build_top(const PrimRange& range, int depth, Fragment& fragment);
@@ -122,10 +123,12 @@ void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
   tasks.wait();
 }
 
-// Joins the fragments, depth first, into the finished arrays.
+// Joins the fragments, tree after tree and depth first, into the finished arrays.
 class Joiner {
  public:
-  explicit Joiner(Fragment& root) { place(root); }
+  explicit Joiner(std::vector<Fragment>& roots) {
+    for (Fragment& root : roots) place(root);
+  }
 
   WideBvh join() const {
     if (row_count_ > ChildRef::kMaxRow)
@@ -171,18 +174,60 @@ class Joiner {
   std::size_t node_count_ = 0, row_count_ = 0;
 };
 
+// What there is to build: the tree of the world, then those of the prototypes.
+std::vector<Fragment> build_trees(const SceneView& scene) {
+  const PrototypeBoxes boxes = prototype_boxes(scene);
+  std::vector<Fragment> roots(1 + scene.prototypes.size());
+  const auto build = [&](HugeArray<BuildPrim> prims, Fragment& root) {
+    if (prims.size() == 0) return;
+    Builder builder(scene, boxes, std::move(prims));
+    builder.build_top(builder.splitter().whole(), 0, root);
+  };
+  TaskGroup tasks;
+  for (std::size_t i = 0; i < scene.prototypes.size(); ++i) {
+    tasks.run([&, i] { build(make_prototype_prims(scene, scene.prototypes[i]), roots[1 + i]); });
+  }
+  build(make_build_prims(scene, boxes), roots[0]);
+  tasks.wait();
+  return roots;
+}
+
 }  // namespace
 
-WideBvh build_wide_bvh(const SceneView& scene) {
+WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times) {
   WideBvh bvh;
-  if (scene.object_count() == 0) return bvh;
-  run_with_tasks(scene.object_count(), [&] {
-    Builder builder(scene);
-    Fragment root;
-    builder.build_top(builder.splitter().whole(), 0, root);
-    bvh = Joiner(root).join();
-  });
+  const auto build = [&] {
+    std::vector<Fragment> roots = build_trees(scene);
+    bvh = Joiner(roots).join();
+  };
+  run_with_tasks(scene.object_count() + scene.triangles.size(), build, times);
   return bvh;
+}
+
+std::vector<std::uint32_t> tree_roots(std::span<const WideNode> nodes) {
+  std::vector<std::uint32_t> roots;
+  std::size_t pending = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (pending == 0) {
+      roots.push_back(static_cast<std::uint32_t>(i));
+      ++pending;
+    }
+    --pending;
+    for (const ChildRef child : nodes[i].children) pending += child.is_node();
+  }
+  return roots;
+}
+
+std::vector<std::uint32_t> prototype_roots(const SceneView& scene,
+                                           std::span<const WideNode> nodes) {
+  const std::vector<std::uint32_t> roots = tree_roots(nodes);
+  std::size_t next = scene.object_count() == 0 ? 0 : 1;
+  std::vector<std::uint32_t> of_prototypes;
+  for (const Prototype& prototype : scene.prototypes) {
+    of_prototypes.push_back(prototype.triangle_count == 0 ? PlacedInstance::kNothing
+                                                          : roots[next++]);
+  }
+  return of_prototypes;
 }
 
 }  // namespace dapple

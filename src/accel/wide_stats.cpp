@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "accel/wide_builder.h"
+
 namespace dapple {
 namespace {
 
@@ -29,13 +31,15 @@ AccelStats wide_stats(const WideBvhView& bvh) {
   const double root_area = double{node_bounds(bvh.nodes[0]).half_area()};
   double visits = root_area;
   std::vector<int> depth(bvh.nodes.size(), 1);
+  const std::vector<std::uint32_t> roots = tree_roots(bvh.nodes);
+  const std::size_t world_end = roots.size() > 1 ? roots[1] : bvh.nodes.size();
   for (std::size_t n = 0; n < bvh.nodes.size(); ++n) {
     const WideNode& node = bvh.nodes[n];
     stats.depth = std::max(stats.depth, depth[n]);
     for (std::size_t i = 0; i < kWideWidth; ++i) {
       const ChildRef child = node.children[i];
       if (child.empty()) continue;
-      visits += double{child_bounds(node, i).half_area()};
+      if (n < world_end) visits += double{child_bounds(node, i).half_area()};
       if (child.is_leaf()) {
         ++stats.leaf_count;
       } else {

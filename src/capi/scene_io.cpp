@@ -171,11 +171,29 @@ static_assert(SPHERE == static_cast<int>(ShapeKind::sphere) &&
               XZ_RECTANGLE == static_cast<int>(ShapeKind::xz_rectangle) &&
               YZ_RECTANGLE == static_cast<int>(ShapeKind::yz_rectangle));
 
+// Why a scene has no form in these structs; null when it has.
+const char* reason_not_expressible(const SceneView& scene) {
+  if (scene.count(ShapeKind::triangle) > 0) return "it has triangles";
+  if (scene.count(ShapeKind::cylinder) > 0) return "it has cylinders";
+  if (scene.count(ShapeKind::instance) > 0) return "it has instances";
+  for (const Material& m : scene.materials) {
+    if (std::holds_alternative<Layered>(m)) return "it has layered materials";
+  }
+  if (!scene.lights.empty()) return "it has lights";
+  if (!(scene.environment == Environment())) return "it has an environment of its own";
+  if (scene.camera.orthographic_height > 0) return "its camera is orthographic";
+  return nullptr;
+}
+
 Expected<std::unique_ptr<loaded_scene>> load(const char* path) {
   if (path == nullptr) return fail(Errc::usage, "", "the file's name is NULL");
   const auto file = MappedScene::open(path);
   if (!file) return tl::unexpected(file.error());
   const SceneView& view = file->view();
+  if (const char* reason = reason_not_expressible(view)) {
+    return fail(Errc::bad_data, path,
+                fmt::format("{}, for which the C interface has no structs", reason));
+  }
   auto scene = std::make_unique<loaded_scene>();
   scene->lookfrom = to_vec(view.camera.look_from);
   scene->lookat = to_vec(view.camera.look_at);

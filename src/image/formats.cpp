@@ -88,6 +88,8 @@ tl::unexpected<Error> in_file(Error error, const std::string& path) {
 
 }  // namespace
 
+std::string_view format_ending(std::string_view path) { return format_of_name(path).ending; }
+
 Expected<Bytes> encode_image(std::string_view name, const Image& image,
                              const ImageWriteOptions& options) try {
   if (auto writable = check_writable(image); !writable) return tl::unexpected(writable.error());

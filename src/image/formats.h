@@ -42,6 +42,9 @@ struct ImageReadOptions {
 [[nodiscard]] Status write_image(const std::string& path, const Image& image,
                                  const ImageWriteOptions& options);
 
+// The ending by which write_image chooses the format: ".png", ".exr", ".pfm", ".hdr", else ".ppm".
+[[nodiscard]] std::string_view format_ending(std::string_view path);
+
 // The picture in linear light. The format is recognised by the file's first bytes, whatever its
 // name. Alpha is left out; a file without RGB channels gives grey.
 [[nodiscard]] Expected<Image> read_image(const std::string& path,

@@ -112,6 +112,21 @@ Vec3f tone_map(ToneMap curve, const Vec3f& colour) {
   return clamp_colour(c, 0.0f, 1.0f);
 }
 
+float automatic_exposure(const Image& image) {
+  constexpr double kMiddleGrey = 0.18, kMostStops = 24;
+  double stops = 0;
+  std::size_t count = 0;
+  for (const Vec3f& p : image.pixels) {
+    const double luminance = 0.2126 * double{p.x} + 0.7152 * double{p.y} + 0.0722 * double{p.z};
+    if (!(luminance > 1e-12) || !(luminance < 1e12)) continue;
+    stops += binary_log(luminance);
+    ++count;
+  }
+  if (count == 0) return 0;
+  const double mean = stops / static_cast<double>(count);
+  return static_cast<float>(std::clamp(binary_log(kMiddleGrey) - mean, -kMostStops, kMostStops));
+}
+
 void apply_tone_map(Image& image, ToneMap curve, float exposure) {
   const auto scale = static_cast<float>(binary_exp(exposure));
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

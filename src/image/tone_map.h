@@ -21,6 +21,10 @@ enum class ToneMap {
 // One colour, linear Rec. 709 to linear Rec. 709 in [0, 1]. Negative and NaN count as 0.
 [[nodiscard]] Vec3f tone_map(ToneMap curve, const Vec3f& colour);
 
+// The exposure, in stops, that brings the mean brightness of what is not black to middle grey: for
+// pictures whose light is of any strength. 0 for a black picture.
+[[nodiscard]] float automatic_exposure(const Image& image);
+
 // The whole picture, after multiplying it by 2^exposure. Alpha stays as it is.
 void apply_tone_map(Image& image, ToneMap curve, float exposure);
 

@@ -1,6 +1,8 @@
 // What comes out of an import.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,8 @@ namespace dapple {
 struct ImportResult {
   Scene scene;
   std::vector<std::string> warnings;  // a line each, with their place
+  // Width and height that the file asks for.
+  std::optional<std::array<int, 2>> resolution = std::nullopt;
 };
 
 }  // namespace dapple

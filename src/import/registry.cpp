@@ -6,7 +6,12 @@
 #include <array>
 #include <new>
 
+#include "import/assimp/assimp.h"
 #include "import/gltf/gltf.h"
+#include "import/obj/obj.h"
+#include "import/pbrt/pbrt.h"
+#include "import/ply/ply.h"
+#include "import/stl/stl.h"
 #include "scene/validate.h"
 #include "util/mapped_file.h"
 
@@ -22,10 +27,19 @@ struct ImportFormat {
 };
 
 bool is_glb(std::string_view head) { return head.starts_with("glTF"); }
+bool is_ply(std::string_view head) {
+  return head.starts_with("ply\n") || head.starts_with("ply\r");
+}
 
 // A new format is one line here.
 constexpr ImportFormat kFormats[] = {
     {{".gltf", ".glb"}, is_glb, import_gltf},
+    {{".obj"}, nullptr, import_obj},
+    {{".pbrt"}, nullptr, import_pbrt},
+    {{".ply"}, is_ply, import_ply},
+    {{".stl"}, nullptr, import_stl},
+    {{".fbx", ".dae", ".3ds", ".3mf"}, nullptr, import_with_assimp},
+    {{".blend", ".lwo", ".off", ".x3d"}, nullptr, import_with_assimp},
 };
 
 constexpr std::size_t kHeadBytes = 512;

@@ -58,9 +58,9 @@ RawImage magenta_picture() { return {1, 1, RawFormat::rgba8, {255, 0, 255, 255}}
 MaterialId SceneBuilder::add_material(const LayeredMaterial& material) {
   const std::uint64_t hash = hash_of(material);
   for (auto [it, end] = material_of_hash_.equal_range(hash); it != end; ++it) {
-    if (scene_.layered_materials[index_of(it->second)] == material) return it->second;
+    const auto index = std::get<Layered>(scene_.materials[index_of(it->second)]).index;
+    if (scene_.layered_materials[index] == material) return it->second;
   }
-  // All materials here are layered: the two indices are the same.
   scene_.layered_materials.push_back(material);
   const auto index = static_cast<std::uint32_t>(scene_.layered_materials.size() - 1);
   const MaterialId id = scene_.add_material(Layered{index});

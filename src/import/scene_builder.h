@@ -26,6 +26,8 @@ class SceneBuilder {
   ByteBudget& budget() { return budget_; }
 
   MaterialId add_material(const LayeredMaterial& material);
+  // One of the classic three, stored however often it is added.
+  MaterialId add_classic(const Material& material) { return scene_.add_material(material); }
   [[nodiscard]] Expected<ImageId> add_image(const RawImage& image);
   TextureId add_texture(const Texture& texture);
   // What stands for a picture that is missing.

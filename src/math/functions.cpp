@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 
+#include "math/fast_functions.h"
+
 namespace dapple {
 namespace {
 
@@ -60,25 +62,23 @@ T halley_cube_root(T x, T r, int steps) {
 }  // namespace
 
 SinCos<float> sin_cos_turns(float turns) {
-  // Polynomials with constant coefficients 1/n!: the float version is called for every bounce.
+  // Polynomials with constant coefficients 1/n!, and no branch: the float version is called for
+  // every bounce, and its quadrants are random.
   const float quarter_turns = turns * 4.0f;
-  const float nearest = std::floor(quarter_turns + 0.5f);
-  const float x = (quarter_turns - nearest) * 1.57079632679f;
+  const std::int32_t nearest = floor_to_int(quarter_turns + 0.5f);
+  const float x = (quarter_turns - static_cast<float>(nearest)) * 1.57079632679f;
   const float x2 = x * x;
   const float s =
       x *
       (1.0f + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040 + x2 * (1.0f / 362880)))));
   const float c = 1.0f + x2 * (-0.5f + x2 * (1.0f / 24 + x2 * (-1.0f / 720 + x2 * (1.0f / 40320))));
-  switch (static_cast<int>(nearest) & 3) {
-    case 0:
-      return {s, c};
-    case 1:
-      return {c, -s};
-    case 2:
-      return {-s, -c};
-    default:
-      return {-c, s};
-  }
+  // Odd quadrants exchange the two; the sine is negative in quadrants 2 and 3, the cosine in 1 and
+  // 2.
+  const auto quadrant = static_cast<std::uint32_t>(nearest);
+  const auto s_bits = std::bit_cast<std::uint32_t>(s), c_bits = std::bit_cast<std::uint32_t>(c);
+  const std::uint32_t exchanged = (s_bits ^ c_bits) & (0u - (quadrant & 1u));
+  return {std::bit_cast<float>((s_bits ^ exchanged) ^ (quadrant & 2u) << 30),
+          std::bit_cast<float>((c_bits ^ exchanged) ^ ((quadrant + 1u) & 2u) << 30)};
 }
 
 SinCos<double> sin_cos_turns(double turns) { return by_quadrants(turns, 8); }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 
+#include "parallel/team_clock.h"
 #include "util/float_mode.h"
 
 namespace dapple {
@@ -35,16 +36,23 @@ void set_thread_count(int count) {
   omp_set_num_threads(count > 0 ? count : from_environment);
 }
 
-void parallel_for_dynamic(std::size_t count, const std::function<void(std::size_t)>& body) {
+void parallel_for_dynamic(std::size_t count, const std::function<void(std::size_t)>& body,
+                          ThreadTimes* times) {
   FirstException first;
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t i = 0; i < count; ++i) {
-    if (first.caught()) continue;
-    try {
-      const StandardFloatMode standard;
-      body(i);
-    } catch (...) {
-      first.keep();
+  const TeamClock clock(times, thread_count());
+#pragma omp parallel
+  {
+    const TeamClock::Member member(clock, omp_get_thread_num());
+#pragma omp for schedule(dynamic, 1)
+    for (std::size_t i = 0; i < count; ++i) {
+      if (first.caught()) continue;
+      try {
+        const StandardFloatMode standard;
+        const WorkSpan work;
+        body(i);
+      } catch (...) {
+        first.keep();
+      }
     }
   }
   first.rethrow();

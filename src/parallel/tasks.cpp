@@ -1,20 +1,31 @@
 #include "parallel/tasks.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "parallel/parallel.h"
+#include "parallel/team_clock.h"
 #include "util/float_mode.h"
 
 namespace dapple {
 
-void run_with_tasks(std::size_t work, const std::function<void()>& root) {
+void run_with_tasks(std::size_t work, const std::function<void()>& root, ThreadTimes* times) {
   const StandardFloatMode standard;
-  if (work < kTeamWork) return root();
+  const TeamClock clock(times, thread_count());
+  if (work < kTeamWork) {
+    const TeamClock::Member member(clock, 0);
+    const WorkSpan span;
+    return root();
+  }
   std::exception_ptr exception;
 #pragma omp parallel
-#pragma omp single
   {
+    const TeamClock::Member member(clock, omp_get_thread_num());
+#pragma omp single
     try {
+      const WorkSpan span;
       root();
     } catch (...) {
       exception = std::current_exception();
@@ -24,6 +35,7 @@ void run_with_tasks(std::size_t work, const std::function<void()>& root) {
 }
 
 TaskGroup::~TaskGroup() {
+  const WaitSpan waiting;
 #pragma omp taskwait
 }
 
@@ -37,6 +49,7 @@ void TaskGroup::run(std::function<void()> task) {
   {
     try {
       const StandardFloatMode standard;
+      const WorkSpan span;
       task();
     } catch (...) {
       keep_exception();
@@ -45,7 +58,10 @@ void TaskGroup::run(std::function<void()> task) {
 }
 
 void TaskGroup::wait() {
+  {
+    const WaitSpan waiting;
 #pragma omp taskwait
+  }
   if (exception_) std::rethrow_exception(std::exchange(exception_, nullptr));
 }
 

@@ -6,12 +6,16 @@
 #include <functional>
 #include <mutex>
 
+#include "parallel/thread_times.h"
+
 namespace dapple {
 
 // Runs `root` with a team of threads that take the tasks it creates; on this thread alone when
 // there are fewer than kTeamWork things to work on, for which a team would cost more than it gives.
+// `times`, if given, gets how long each thread was at work and not waiting for tasks.
 inline constexpr std::size_t kTeamWork = 1024;
-void run_with_tasks(std::size_t work, const std::function<void()>& root);
+void run_with_tasks(std::size_t work, const std::function<void()>& root,
+                    ThreadTimes* times = nullptr);
 
 // Tasks that are waited for together. Used inside run_with_tasks; outside it, tasks run at once.
 class TaskGroup {

@@ -67,7 +67,7 @@ Expected<FilterKind> parse_filter(std::string_view name) {
 
 PixelFilter::PixelFilter(FilterKind kind) {
   if (kind == FilterKind::gaussian) places_ = invert({1.2, gaussian});
-  if (kind == FilterKind::blackman_harris) places_ = invert({0.75, blackman_harris});
+  if (kind == FilterKind::blackman_harris) places_ = invert({1.5, blackman_harris});
 }
 
 float PixelFilter::place(float u) const {

@@ -12,7 +12,7 @@ namespace dapple {
 enum class FilterKind {
   box,              // uniform over the pixel
   gaussian,         // standard deviation 0.4 pixels, cut at 1.2
-  blackman_harris,  // the four-term window over 1.5 pixels: a sharp picture without steps
+  blackman_harris,  // the four-term window over 3 pixels, as the other renderers have it
 };
 
 [[nodiscard]] Expected<FilterKind> parse_filter(std::string_view name);

@@ -14,6 +14,7 @@ PreparedScene::PreparedScene(const SceneView& scene, std::unique_ptr<Accel> acce
 SurfaceView PreparedScene::surfaces() const {
   SurfaceView view;
   view.leaf_rows = accel_->leaf_rows();
+  view.instances = accel_->instances();
   view.materials = materials_.data();
   view.material_count = materials_.size();
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {

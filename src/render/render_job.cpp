@@ -133,14 +133,15 @@ Expected<RenderResult> render(const PreparedScene& scene, const RenderSettings& 
   Progress progress(control, units.size());
   const auto cancelled = [&] { return control.cancel != nullptr && control.cancel->load(); };
 
-  parallel_for_dynamic(units.size(), [&](std::size_t i) {
+  const auto render_unit = [&](std::size_t i) {
     if (cancelled()) return;
     const Unit unit = units[i];
     TileOutput output = films.start(unit.tile);
     integrator->render(unit.samples, output);
     films.merge(output);
     progress.count_one();
-  });
+  };
+  parallel_for_dynamic(units.size(), render_unit, control.thread_times);
   if (cancelled()) return fail(Errc::interrupted, "", "rendering was interrupted");
   return films.result();
 }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "image/image.h"
+#include "parallel/thread_times.h"
 #include "render/prepared_scene.h"
 #include "render/settings.h"
 
@@ -17,6 +18,8 @@ struct RenderControl {
   std::function<void(std::size_t done, std::size_t total)> progress;
   // Set to stop: units in hand are finished, no new one is begun.
   const std::atomic<bool>* cancel = nullptr;
+  // Where to write how long each thread was at work, if anybody wants to know.
+  ThreadTimes* thread_times = nullptr;
 };
 
 struct RenderResult {

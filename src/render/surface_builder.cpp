@@ -15,19 +15,18 @@ Vec3f normalized_or(const Vec3f& v, const Vec3f& fallback) {
   return squared > kSmallest ? v / std::sqrt(squared) : fallback;
 }
 
-// Weights of a triangle's corners at a point of its plane.
-std::array<float, 3> barycentric(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-  const Vec3f e1 = b - a, e2 = c - a, n = cross(e1, e2), d = p - a;
-  const float squared = dot(n, n);
-  if (!(squared > 0)) return {1, 0, 0};
-  const float v = dot(cross(d, e2), n) / squared;
-  const float w = dot(cross(e1, d), n) / squared;
-  return {1 - v - w, v, w};
+template <class T>
+T mixed(const std::array<float, 3>& weights, std::span<const T> values,
+        const std::array<std::uint32_t, 3>& corners) {
+  return weights[0] * values[corners[0]] + weights[1] * values[corners[1]] +
+         weights[2] * values[corners[2]];
 }
 
-template <class T>
-T mixed(const std::array<float, 3>& weights, const T& a, const T& b, const T& c) {
-  return weights[0] * a + weights[1] * b + weights[2] * c;
+// An interpolated normal of the object, turned into the world and to the outward side.
+void set_normal(const Vec3f& normal, const Transformf* to_world, SurfaceInteraction& at) {
+  const Vec3f n = to_world != nullptr ? inverse(*to_world).transposed_vector(normal) : normal;
+  at.shading_normal = normalized_or(n, at.geometric_normal);
+  if (dot(at.shading_normal, at.geometric_normal) < 0) at.shading_normal = -at.shading_normal;
 }
 
 // Direction in which a texture coordinate grows over a triangle, and the root of its area over the
@@ -84,7 +83,13 @@ Surface SurfaceBuilder::build(const Accel& accel, const Ray& ray, const Hit& hit
   surface.at.cone_width = cone_width;
   surface.at.from_outside = dot(ray.direction, point.outward) < 0;
   if (kind == ShapeKind::triangle) {
-    describe_triangle(index, point, surface);
+    const Transformf* to_world = nullptr;
+    if (hit.lane.in_instance()) {
+      const std::size_t instance = hit.lane.instance_index();
+      surface.emitter.instance = static_cast<std::uint32_t>(instance);
+      to_world = &scene_.instances[instance].to_world;
+    }
+    describe_triangle(index, point, to_world, surface);
   } else if (kind == ShapeKind::sphere) {
     describe_sphere(index, surface);
   } else if (kind == ShapeKind::cylinder) {
@@ -97,43 +102,51 @@ Surface SurfaceBuilder::build(const Accel& accel, const Ray& ray, const Hit& hit
 }
 
 void SurfaceBuilder::describe_triangle(std::uint32_t index, const SurfacePoint& point,
-                                       Surface& surface) const {
+                                       const Transformf* to_world, Surface& surface) const {
   SurfaceInteraction& at = surface.at;
   const VertexView& vertices = scene_.vertices;
-  const auto [i, j, k] = scene_.triangles[index].vertices;
-  const Vec3f &a = vertices.positions[i], &b = vertices.positions[j], &c = vertices.positions[k];
-  const auto weights = barycentric(point.position, a, b, c);
+  const auto corners = scene_.triangles[index].vertices;
+  const Weights weights = {1 - point.u - point.v, point.u, point.v};
   surface.emitter.kind = EmitterKind::triangle;
-
-  if (!vertices.normals.empty()) {
-    const auto& n = vertices.normals;
-    at.shading_normal = normalized_or(mixed(weights, n[i], n[j], n[k]), at.geometric_normal);
-    if (dot(at.shading_normal, at.geometric_normal) < 0) at.shading_normal = -at.shading_normal;
-  }
-  if (!vertices.colours.empty()) {
-    const auto& colour = vertices.colours;
-    at.colour = mixed(weights, colour[i], colour[j], colour[k]);
-  }
-  UvFrame first;
-  for (std::size_t set = 0; set < kUvSetCount; ++set) {
-    const auto& uv = vertices.uvs[set];
-    if (uv.empty()) continue;
-    at.uvs[set] = mixed(weights, uv[i], uv[j], uv[k]);
-    const UvFrame frame = uv_frame(b - a, c - a, uv[j] - uv[i], uv[k] - uv[i]);
-    at.uv_per_length[set] = frame.per_length;
-    if (set == 0) first = frame;
-  }
-  at.bitangent_sign = first.sign;
-  Vec3f tangent = first.along_u;
+  if (!vertices.normals.empty())
+    set_normal(mixed(weights, vertices.normals, corners), to_world, at);
+  if (!vertices.colours.empty()) at.colour = mixed(weights, vertices.colours, corners);
+  Vec3f tangent = set_uvs(index, weights, to_world, at);
   if (!vertices.tangents.empty()) {
-    const auto& t = vertices.tangents;
-    const Vec3f given = mixed(weights, t[i].xyz(), t[j].xyz(), t[k].xyz());
-    if (dot(given, given) > kSmallest) {
-      tangent = given;
-      at.bitangent_sign = t[i].w < 0 ? -1.0f : 1.0f;
+    const Vec4f given = mixed(weights, vertices.tangents, corners);
+    if (dot(given.xyz(), given.xyz()) > kSmallest) {
+      tangent = to_world != nullptr ? to_world->vector(given.xyz()) : given.xyz();
+      // A mirroring map turns the bitangent around too.
+      const bool mirrored = to_world != nullptr && determinant(*to_world) < 0;
+      at.bitangent_sign = (given.w < 0) != mirrored ? -1.0f : 1.0f;
     }
   }
   set_tangent(tangent, at);
+}
+
+// Texture coordinates; returns the direction in which those of the first set grow to the right.
+Vec3f SurfaceBuilder::set_uvs(std::uint32_t index, const Weights& weights,
+                              const Transformf* to_world, SurfaceInteraction& at) const {
+  const auto corners = scene_.triangles[index].vertices;
+  const auto& p = scene_.vertices.positions;
+  Vec3f e1 = p[corners[1]] - p[corners[0]], e2 = p[corners[2]] - p[corners[0]];
+  if (to_world != nullptr) {
+    e1 = to_world->vector(e1);
+    e2 = to_world->vector(e2);
+  }
+  Vec3f along_u;
+  for (std::size_t set = 0; set < kUvSetCount; ++set) {
+    const auto& uv = scene_.vertices.uvs[set];
+    if (uv.empty()) continue;
+    at.uvs[set] = mixed(weights, uv, corners);
+    const UvFrame frame =
+        uv_frame(e1, e2, uv[corners[1]] - uv[corners[0]], uv[corners[2]] - uv[corners[0]]);
+    at.uv_per_length[set] = frame.per_length;
+    if (set > 0) continue;
+    along_u = frame.along_u;
+    at.bitangent_sign = frame.sign;
+  }
+  return along_u;
 }
 
 // u runs around the y axis, v from the top down, as on a globe.

@@ -28,7 +28,13 @@ class SurfaceBuilder {
   MaterialId material_of(const Hit& hit) const;
 
  private:
-  void describe_triangle(std::uint32_t index, const SurfacePoint& point, Surface& surface) const;
+  using Weights = std::array<float, 3>;  // of a triangle's corners
+
+  // Seen through an instance when there is a map to the world.
+  void describe_triangle(std::uint32_t index, const SurfacePoint& point, const Transformf* to_world,
+                         Surface& surface) const;
+  Vec3f set_uvs(std::uint32_t index, const Weights& weights, const Transformf* to_world,
+                SurfaceInteraction& at) const;
   void describe_sphere(std::uint32_t index, Surface& surface) const;
   void describe_rectangle(ShapeKind kind, std::uint32_t index, Surface& surface) const;
   std::uint32_t index_of(const Hit& hit) const;

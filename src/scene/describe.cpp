@@ -1,6 +1,10 @@
 #include "scene/describe.h"
 
-#include <variant>
+#include <array>
+
+#include "scene/describe_looks.h"
+#include "scene/footprint.h"
+#include "scene/mesh_summary.h"
 
 namespace dapple {
 namespace {
@@ -9,47 +13,34 @@ void print_vector(const char* name, const Vec3d& v, TextWriter& out) {
   out.print("    {}=({:f},{:f},{:f})\n", name, v.x, v.y, v.z);
 }
 
-void print_camera(const Camera& camera, TextWriter& out) {
-  out.print("camera\n");
-  print_vector("lookfrom", camera.look_from, out);
-  print_vector("lookat", camera.look_at, out);
-  print_vector("up", camera.up, out);
-  out.print("    vertical_fov={:f}\n", camera.vertical_fov);
-  out.print("    aperture={:f}\n", camera.aperture);
-  out.print("    focus_distance={:f}\n", camera.focus_distance);
+void print_count(std::string_view name, std::size_t count, TextWriter& out) {
+  if (count > 0) out.print("    {}={}\n", name, count);
 }
 
+// Scenes of spheres and rectangles are described as they always were.
 void print_counts(const SceneView& scene, TextWriter& out) {
   out.print("counts\n    objects={}\n", scene.object_count());
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
-    // Scenes of spheres and rectangles are described as they always were.
-    if (k > kRectangleKindCount && scene.count(kind) == 0) continue;
-    out.print("    {}={}\n", shape_name(kind), scene.count(kind));
+    if (k <= kRectangleKindCount || scene.count(kind) > 0) {
+      out.print("    {}={}\n", shape_name(kind), scene.count(kind));
+    }
   }
   out.print("    materials={}\n    bvh_nodes={}\n", scene.materials.size(), scene.bvh.nodes.size());
-}
-
-struct PrintMaterial {
-  TextWriter& out;
-
-  void operator()(const Lambertian& m) const {
-    out.print("    material=lambertian(albedo=({:f},{:f},{:f}))\n", m.albedo.x, m.albedo.y,
-              m.albedo.z);
+  print_count("vertices", scene.vertices.positions.size(), out);
+  print_count("prototypes", scene.prototypes.size(), out);
+  print_count("layered_materials", scene.layered_materials.size(), out);
+  print_count("textures", scene.textures.size(), out);
+  print_count("images", scene.images.size(), out);
+  print_count("lights", scene.lights.size(), out);
+  print_count("cameras", scene.cameras.size(), out);
+  const Footprint footprint = footprint_of(scene);
+  if (!scene.triangles.empty()) {
+    out.print("    bytes_per_triangle={:.1f}\n", footprint.per_triangle);
   }
-  void operator()(const Metal& m) const {
-    out.print("    material=metal(albedo=({:f},{:f},{:f}), fuzz={:f})\n", m.albedo.x, m.albedo.y,
-              m.albedo.z, m.fuzz);
+  if (!scene.instances.empty()) {
+    out.print("    bytes_per_instance={:.1f}\n", footprint.per_instance);
   }
-  void operator()(const Dielectric& m) const {
-    out.print("    material=dielectric(ref_idx={:f})\n", m.ref_idx);
-  }
-  void operator()(const Layered& m) const { out.print("    material=layered({})\n", m.index); }
-};
-
-void print_sphere(const Sphere& sphere, DescribeDetail detail, TextWriter& out) {
-  print_vector("centre", sphere.centre, out);
-  if (detail == DescribeDetail::full) out.print("    radius={:f}\n", sphere.radius);
 }
 
 void print_rectangle(ShapeKind kind, const Rectangle& r, TextWriter& out) {
@@ -59,26 +50,94 @@ void print_rectangle(ShapeKind kind, const Rectangle& r, TextWriter& out) {
   out.print("    k={:f}\n", r.k);
 }
 
+void print_instance(const SceneView& scene, const Instance& instance, TextWriter& out) {
+  out.print("instance\n    prototype={}\n    triangles={}\n", instance.prototype,
+            scene.prototypes[instance.prototype].triangle_count);
+  const char* separator = "    to_world=(";
+  for (const auto& row : instance.to_world.rows) {
+    out.print("{}({:f},{:f},{:f},{:f})", separator, row[0], row[1], row[2], row[3]);
+    separator = ",";
+  }
+  out.print(")\n");
+}
+
+// Each object in turn; triangles that follow each other are one mesh.
+class ObjectPrinter {
+ public:
+  ObjectPrinter(const SceneView& scene, DescribeDetail detail, TextWriter& out)
+      : scene_(scene), detail_(detail), out_(out), meshes_(scene) {}
+
+  void print_all() {
+    for (const ObjectRun& run : scene_.runs) {
+      std::size_t& next = next_[static_cast<std::size_t>(run.kind)];
+      if (run.kind == ShapeKind::triangle) {
+        print_mesh("mesh", next, run.count);
+      } else {
+        for (std::size_t i = next; i < next + run.count && out_.good(); ++i) print(run.kind, i);
+      }
+      next += run.count;
+    }
+  }
+
+  void print_prototypes() {
+    for (std::size_t i = 0; i < scene_.prototypes.size() && out_.good(); ++i) {
+      print_mesh(fmt::format("prototype {}", i), scene_.prototypes[i].first_triangle,
+                 scene_.prototypes[i].triangle_count);
+    }
+  }
+
+ private:
+  void print(ShapeKind kind, std::size_t index) {
+    if (kind == ShapeKind::instance) return print_instance(scene_, scene_.instances[index], out_);
+    out_.print("{}\n", shape_name(kind));
+    if (kind == ShapeKind::sphere) {
+      print_vector("centre", scene_.spheres[index].centre, out_);
+      if (detail_ == DescribeDetail::full) {
+        out_.print("    radius={:f}\n", scene_.spheres[index].radius);
+      }
+    } else if (kind == ShapeKind::cylinder) {
+      print_vector("begin", scene_.cylinders[index].begin, out_);
+      print_vector("end", scene_.cylinders[index].end, out_);
+      out_.print("    radius={:f}\n", scene_.cylinders[index].radius);
+    } else {
+      print_rectangle(kind, scene_.rectangles[rectangle_index(kind)][index], out_);
+    }
+    print_material(scene_, scene_.materials_of(kind)[index], out_);
+  }
+
+  void print_mesh(std::string_view heading, std::size_t first, std::size_t count) {
+    if (count == 0 || !out_.good()) return;
+    const MeshSummary mesh = meshes_.summarize(first, count);
+    out_.print("{}\n    triangles={}\n", heading, mesh.triangle_count);
+    print_vector("lo", Vec3d(mesh.box.lo), out_);
+    print_vector("hi", Vec3d(mesh.box.hi), out_);
+    for (const MaterialId material : mesh.materials) {
+      if (out_.good()) print_material(scene_, material, out_);
+    }
+  }
+
+  const SceneView& scene_;
+  DescribeDetail detail_;
+  TextWriter& out_;
+  MeshSummarizer meshes_;
+  std::array<std::size_t, kShapeKindCount> next_{};
+};
+
 }  // namespace
 
 Status describe(const SceneView& scene, DescribeDetail detail, const TextSink& sink) {
   TextWriter out(sink);
   if (detail == DescribeDetail::full) {
+    out.print("camera\n");
     print_camera(scene.camera, out);
     print_counts(scene, out);
   }
-  for_each_object(scene, [&](ShapeKind kind, std::size_t index) {
-    if (!out.good()) return;
-    out.print("{}\n", shape_name(kind));
-    if (kind == ShapeKind::sphere) {
-      print_sphere(scene.spheres[index], detail, out);
-    } else if (is_rectangle(kind)) {
-      print_rectangle(kind, scene.rectangles[rectangle_index(kind)][index], out);
-    }
-    if (kind == ShapeKind::instance) return;
-    const MaterialId material = scene.materials_of(kind)[index];
-    std::visit(PrintMaterial{out}, scene.materials[index_of(material)]);
-  });
+  ObjectPrinter objects(scene, detail, out);
+  objects.print_all();
+  if (detail == DescribeDetail::full) {
+    objects.print_prototypes();
+    print_looks(scene, out);
+  }
   return out.finish();
 }
 

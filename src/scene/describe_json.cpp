@@ -1,33 +1,13 @@
-#include <string>
-#include <variant>
+#include <array>
 
 #include "scene/describe.h"
+#include "scene/describe_json_looks.h"
+#include "scene/footprint.h"
+#include "scene/json_text.h"
+#include "scene/mesh_summary.h"
 
 namespace dapple {
 namespace {
-
-// A finite number as the shortest text that reads back as the same double. One without a decimal
-// point or an exponent gets a point: a reader may take -0 for an integer and lose its sign.
-std::string number(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
-void print_vector(const char* name, const Vec3d& v, TextWriter& out) {
-  out.print("\"{}\":[{},{},{}]", name, number(v.x), number(v.y), number(v.z));
-}
-
-void print_camera(const Camera& camera, TextWriter& out) {
-  out.print("\"camera\":{{");
-  print_vector("lookfrom", camera.look_from, out);
-  out.print(",");
-  print_vector("lookat", camera.look_at, out);
-  out.print(",");
-  print_vector("up", camera.up, out);
-  out.print(",\"vertical_fov\":{},\"aperture\":{},\"focus_distance\":{}}},\n",
-            number(camera.vertical_fov), number(camera.aperture), number(camera.focus_distance));
-}
 
 void print_counts(const SceneView& scene, TextWriter& out) {
   out.print("\"counts\":{{\"objects\":{}", scene.object_count());
@@ -35,86 +15,125 @@ void print_counts(const SceneView& scene, TextWriter& out) {
     const auto kind = static_cast<ShapeKind>(k);
     out.print(",\"{}\":{}", shape_name(kind), scene.count(kind));
   }
-  out.print(",\"materials\":{},\"bvh_nodes\":{}}},\n", scene.materials.size(),
-            scene.bvh.nodes.size());
-}
-
-struct PrintMaterial {
-  TextWriter& out;
-
-  void operator()(const Lambertian& m) const {
-    out.print("{{\"type\":\"lambertian\",");
-    print_vector("albedo", m.albedo, out);
-    out.print("}}");
-  }
-  void operator()(const Metal& m) const {
-    out.print("{{\"type\":\"metal\",");
-    print_vector("albedo", m.albedo, out);
-    out.print(",\"fuzz\":{}}}", number(m.fuzz));
-  }
-  void operator()(const Dielectric& m) const {
-    out.print("{{\"type\":\"dielectric\",\"ref_idx\":{}}}", number(m.ref_idx));
-  }
-  void operator()(const Layered& m) const {
-    out.print("{{\"type\":\"layered\",\"index\":{}}}", m.index);
-  }
-};
-
-void print_materials(const SceneView& scene, TextWriter& out) {
-  out.print("\"materials\":[");
-  const char* separator = "\n";
-  for (const Material& material : scene.materials) {
-    if (!out.good()) return;
-    out.print("{}", separator);
-    std::visit(PrintMaterial{out}, material);
-    separator = ",\n";
-  }
-  out.print("],\n");
-}
-
-void print_sphere(const Sphere& sphere, TextWriter& out) {
-  print_vector("centre", sphere.centre, out);
-  out.print(",\"radius\":{}", number(sphere.radius));
+  out.print(",\"materials\":{},\"bvh_nodes\":{},\"vertices\":{}", scene.materials.size(),
+            scene.bvh.nodes.size(), scene.vertices.positions.size());
+  const Footprint footprint = footprint_of(scene);
+  out.print(",\"bytes\":{},\"bytes_per_triangle\":{},\"bytes_per_instance\":{}}},\n",
+            footprint.total, json_number(footprint.per_triangle),
+            json_number(footprint.per_instance));
 }
 
 void print_rectangle(ShapeKind kind, const Rectangle& r, TextWriter& out) {
   const char u = shape_name(kind)[0], v = shape_name(kind)[1];
-  out.print("\"{0}0\":{1},\"{0}1\":{2}", u, number(r.u0), number(r.u1));
-  out.print(",\"{0}0\":{1},\"{0}1\":{2}", v, number(r.v0), number(r.v1));
-  out.print(",\"k\":{}", number(r.k));
+  out.print("\"{0}0\":{1},\"{0}1\":{2}", u, json_number(r.u0), json_number(r.u1));
+  out.print(",\"{0}0\":{1},\"{0}1\":{2}", v, json_number(r.v0), json_number(r.v1));
+  out.print(",\"k\":{}", json_number(r.k));
 }
 
-void print_objects(const SceneView& scene, TextWriter& out) {
-  out.print("\"objects\":[");
-  const char* separator = "\n";
-  for_each_object(scene, [&](ShapeKind kind, std::size_t index) {
-    if (!out.good()) return;
-    out.print("{}{{\"type\":\"{}\",", separator, shape_name(kind));
-    if (kind == ShapeKind::sphere) {
-      print_sphere(scene.spheres[index], out);
-    } else if (is_rectangle(kind)) {
-      print_rectangle(kind, scene.rectangles[rectangle_index(kind)][index], out);
-    }
-    if (kind == ShapeKind::instance) {
-      out.print("\"prototype\":{}}}", scene.instances[index].prototype);
-    } else {
-      out.print("{}\"material\":{}}}", kind > ShapeKind::yz_rectangle ? "" : ",",
-                index_of(scene.materials_of(kind)[index]));
-    }
-    separator = ",\n";
-  });
+void print_cylinder(const Cylinder& cylinder, TextWriter& out) {
+  print_json_vector("begin", cylinder.begin, out);
+  out.print(",");
+  print_json_vector("end", cylinder.end, out);
+  out.print(",\"radius\":{}", json_number(cylinder.radius));
+}
+
+void print_instance(const Instance& instance, TextWriter& out) {
+  out.print("\"prototype\":{},\"to_world\":[", instance.prototype);
+  const char* separator = "";
+  for (const auto& row : instance.to_world.rows) {
+    out.print("{}[{},{},{},{}]", separator, json_number(row[0]), json_number(row[1]),
+              json_number(row[2]), json_number(row[3]));
+    separator = ",";
+  }
   out.print("]");
 }
+
+// Each object in turn, a line each; triangles that follow each other are one mesh.
+class ObjectPrinter {
+ public:
+  ObjectPrinter(const SceneView& scene, TextWriter& out)
+      : scene_(scene), out_(out), meshes_(scene) {}
+
+  void print_all() {
+    out_.print("\"objects\":[");
+    separator_ = "\n";
+    for (const ObjectRun& run : scene_.runs) {
+      std::size_t& next = next_[static_cast<std::size_t>(run.kind)];
+      if (run.kind == ShapeKind::triangle) {
+        if (run.count > 0) print_mesh("\"type\":\"mesh\",", next, run.count);
+      } else {
+        for (std::size_t i = next; i < next + run.count && out_.good(); ++i) print(run.kind, i);
+      }
+      next += run.count;
+    }
+    out_.print("],\n");
+  }
+
+  void print_prototypes() {
+    out_.print("\"prototypes\":[");
+    separator_ = "\n";
+    for (const Prototype& p : scene_.prototypes) {
+      print_mesh("", p.first_triangle, p.triangle_count);
+    }
+    out_.print("]");
+  }
+
+ private:
+  void print(ShapeKind kind, std::size_t index) {
+    out_.print("{}{{\"type\":\"{}\",", separator_, shape_name(kind));
+    separator_ = ",\n";
+    if (kind == ShapeKind::sphere) {
+      print_json_vector("centre", scene_.spheres[index].centre, out_);
+      out_.print(",\"radius\":{}", json_number(scene_.spheres[index].radius));
+    } else if (kind == ShapeKind::cylinder) {
+      print_cylinder(scene_.cylinders[index], out_);
+    } else if (kind == ShapeKind::instance) {
+      print_instance(scene_.instances[index], out_);
+    } else {
+      print_rectangle(kind, scene_.rectangles[rectangle_index(kind)][index], out_);
+    }
+    if (kind != ShapeKind::instance) {
+      out_.print(",\"material\":{}", index_of(scene_.materials_of(kind)[index]));
+    }
+    out_.print("}}");
+  }
+
+  void print_mesh(const char* type, std::size_t first, std::size_t count) {
+    if (!out_.good()) return;
+    const MeshSummary mesh = meshes_.summarize(first, count);
+    out_.print("{}{{{}\"first_triangle\":{},\"triangles\":{},", separator_, type, first, count);
+    separator_ = ",\n";
+    print_json_vector("lo", mesh.box.lo, out_);
+    out_.print(",");
+    print_json_vector("hi", mesh.box.hi, out_);
+    out_.print(",\"materials\":[");
+    const char* comma = "";
+    for (const MaterialId material : mesh.materials) {
+      out_.print("{}{}", comma, index_of(material));
+      comma = ",";
+    }
+    out_.print("]}}");
+  }
+
+  const SceneView& scene_;
+  TextWriter& out_;
+  MeshSummarizer meshes_;
+  const char* separator_ = "";
+  std::array<std::size_t, kShapeKindCount> next_{};
+};
 
 }  // namespace
 
 Status describe_json(const SceneView& scene, const TextSink& sink) {
   TextWriter out(sink);
-  out.print("{{\n");
-  print_camera(scene.camera, out);
+  out.print("{{\n\"camera\":");
+  print_json_camera(scene.camera, out);
+  out.print(",\n");
   print_counts(scene, out);
-  print_materials(scene, out);
-  print_objects(scene, out);
+  print_json_looks(scene, out);
+  ObjectPrinter objects(scene, out);
+  objects.print_all();
+  objects.print_prototypes();
   out.print("\n}}\n");
   return out.finish();
 }

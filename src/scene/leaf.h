@@ -2,9 +2,13 @@
 //
 // Each number of the primitives has a row of 16 words, one cache line. A leaf of spheres is five
 // rows       cx cy cz radius id            (320 bytes),
-// a leaf of rectangles six rows   u0 u1 v0 v1 k id   (384 bytes; see Rectangle).
-// Lanes in use come first, by ascending id. The others are shapes that nothing hits: zeros, and for
-// a rectangle u0 = +infinity and u1 = -infinity; their id is kNoPrim.
+// a leaf of rectangles six rows   u0 u1 v0 v1 k id   (384 bytes; see Rectangle),
+// one of triangles ten            x y z of each vertex, id   (640 bytes),
+// one of cylinders eight          x y z of both ends, radius, id   (512 bytes),
+// one of instances seven          the box in the world: lower x y z, upper x y z, id (448 bytes).
+// Lanes in use come first, by ascending id. The others are shapes that nothing hits: zeros, but for
+// a rectangle u0 = +infinity and u1 = -infinity and for an instance the empty box; their id is
+// kNoPrim.
 #pragma once
 
 #include <bit>
@@ -18,8 +22,15 @@ namespace dapple {
 inline constexpr std::size_t kLeafWidth = 16;
 
 // Numbers of a shape; its row of ids follows them.
-constexpr std::size_t leaf_id_row(ShapeKind kind) { return kind == ShapeKind::sphere ? 4 : 5; }
+constexpr std::size_t leaf_id_row(ShapeKind kind) {
+  if (kind == ShapeKind::sphere) return 4;
+  if (kind == ShapeKind::triangle) return 9;
+  if (kind == ShapeKind::cylinder) return 7;
+  if (kind == ShapeKind::instance) return 6;
+  return 5;
+}
 constexpr std::size_t leaf_rows(ShapeKind kind) { return leaf_id_row(kind) + 1; }
+inline constexpr std::size_t kMaxLeafRows = 10;
 
 // One row: what leaves are counted and addressed in.
 struct alignas(64) LeafRow {
@@ -27,7 +38,8 @@ struct alignas(64) LeafRow {
 };
 static_assert(sizeof(LeafRow) == 64);
 
-// A leaf, or one lane of it: kind, lane and first row in 64 bits.
+// A leaf, or one lane of it: kind (4 bits), instance (28), first row (28) and lane (4). The lower
+// half counts the words of the rows up to the lane's first number.
 struct LeafRef {
   std::uint64_t bits = 0;
 
@@ -36,11 +48,24 @@ struct LeafRef {
       : bits(static_cast<std::uint64_t>(kind) << 60 | first_row << 4) {}
 
   constexpr ShapeKind kind() const { return static_cast<ShapeKind>(bits >> 60); }
-  constexpr std::size_t first_row() const { return (bits & ~(std::uint64_t{15} << 60)) >> 4; }
+  constexpr std::size_t first_row() const { return (bits & 0xffffffffu) >> 4; }
   constexpr std::size_t lane_index() const { return bits & 15; }
   constexpr LeafRef lane(std::size_t i) const {
     LeafRef result = *this;
     result.bits |= i;
+    return result;
+  }
+
+  static constexpr std::size_t kMaxInstances = (std::size_t{1} << 28) - 1;
+  // 0 for what stands in the world itself, else 1 + the index of the instance it is seen through.
+  constexpr std::uint32_t seen_through() const {
+    return static_cast<std::uint32_t>(bits >> 32) & 0x0fffffffu;
+  }
+  constexpr bool in_instance() const { return seen_through() != 0; }
+  constexpr std::size_t instance_index() const { return seen_through() - 1; }
+  constexpr LeafRef through(std::size_t instance) const {
+    LeafRef result = *this;
+    result.bits |= (std::uint64_t{instance} + 1) << 32;
     return result;
   }
 };

@@ -66,6 +66,12 @@ std::span<const MaterialId> SceneView::materials_of(ShapeKind kind) const {
   return sphere_materials;
 }
 
+std::size_t prim_count(const SceneView& scene) {
+  std::size_t total = 0;
+  for (std::size_t k = 0; k < kShapeKindCount; ++k) total += scene.count(static_cast<ShapeKind>(k));
+  return total;
+}
+
 std::array<std::size_t, kShapeKindCount> first_prim_ids(const SceneView& scene) {
   std::array<std::size_t, kShapeKindCount> first{};
   for (std::size_t kind = 1; kind < kShapeKindCount; ++kind) {

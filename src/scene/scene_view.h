@@ -52,6 +52,9 @@ struct SceneView {
   std::span<const MaterialId> materials_of(ShapeKind kind) const;
 };
 
+// How many ids there are.
+[[nodiscard]] std::size_t prim_count(const SceneView& scene);
+
 // Where the shapes of one kind begin in the numbering of primitives.
 [[nodiscard]] std::array<std::size_t, kShapeKindCount> first_prim_ids(const SceneView& scene);
 

@@ -211,19 +211,21 @@ Status validate(const Material& material) {
 }
 
 Status validate_counts(const SceneView& scene) {
-  std::size_t prims = 0;
-  for (std::size_t kind = 0; kind < kShapeKindCount; ++kind) {
-    prims += scene.count(static_cast<ShapeKind>(kind));
-  }
-  if (prims > kMaxObjectCount) {
+  if (prim_count(scene) > kMaxObjectCount) {
     return fail(Errc::bad_data, "objects",
                 fmt::format("more than {} objects and triangles", kMaxObjectCount));
   }
   if (scene.materials.size() > kMaxMaterialCount) {
     return fail(Errc::bad_data, "materials", fmt::format("more than {}", kMaxMaterialCount));
   }
+  if (scene.instances.size() > kMaxInstanceCount) {
+    return fail(Errc::bad_data, "instances", fmt::format("more than {}", kMaxInstanceCount));
+  }
   if (!scene.prototypes.empty() && scene.prototypes[0].first_triangle > scene.triangles.size()) {
     return fail(Errc::bad_data, "prototype 0", "it begins beyond the last triangle");
+  }
+  if (scene.images.empty() && !scene.texels.empty()) {
+    return fail(Errc::bad_data, "texels", "they are of no image");
   }
   if (auto status = validate_vertex_counts(scene.vertices); !status) return status;
   return validate_runs(scene);

@@ -11,6 +11,8 @@ inline constexpr double kMaxCoordinate = 1e18;
 inline constexpr std::size_t kMaxObjectCount = 1u << 31;
 // Paths keep an index of a material and what else there is to say in one word.
 inline constexpr std::size_t kMaxMaterialCount = 1u << 28;
+// Hits say in one word through which instance they are seen.
+inline constexpr std::size_t kMaxInstanceCount = (1u << 28) - 1;
 // How far the squared length of a unit vector may be from 1: what 8 bits a component make of it.
 inline constexpr float kUnitTolerance = 0.05f;
 

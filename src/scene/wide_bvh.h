@@ -1,9 +1,10 @@
 // The finished BVH as plain data: what kernels traverse and what a scene file may hold.
 //
 // Nodes stand in depth-first order: node 0 is the root, and the first inner child of a node is
-// the next node. Leaves stand in the order of the nodes they hang from, and under one node in the
-// order of its children; they tile the rows exactly. So one linear pass over the nodes proves a
-// tree whole.
+// the next node. The tree of what stands in the world comes first, then that of each prototype, in
+// their order; none for what is empty. Leaves stand in the order of the nodes they hang from, and
+// under one node in the order of its children; they tile the rows exactly. So one linear pass over
+// the nodes proves a tree whole.
 #pragma once
 
 #include <cstdint>

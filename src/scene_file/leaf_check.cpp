@@ -83,6 +83,59 @@ HWY_INLINE void check_rectangles(ShapeKind kind, const LeafLanes& lanes, const B
   faults.unused = as_float_mask(hn::Ne(hn::Or(others, hn::Or(u0, u1)), all(0u)));
 }
 
+// Both ends, with the radius all around, as the cylinder's own box has it.
+HWY_INLINE void check_cylinders(const LeafLanes& lanes, const Bounds3f& box, Faults& faults) {
+  const FloatVec radius = lanes.floats(6);
+  const FloatVec size = hn::Abs(radius);
+  faults.coordinate = out_of_range(radius);
+  faults.box = hn::Not(hn::Eq(radius, radius));
+  WordVec bits = lanes.words(6);
+  for (std::size_t row = 0; row < 6; ++row) {
+    const FloatVec at = lanes.floats(row);
+    bits = hn::Or(bits, lanes.words(row));
+    faults.coordinate = hn::Or(faults.coordinate, out_of_range(at));
+    const Mask out = outside(hn::Sub(at, size), hn::Add(at, size), box, static_cast<int>(row % 3));
+    faults.box = hn::Or(faults.box, out);
+  }
+  faults.unused = as_float_mask(hn::Ne(bits, all(0u)));
+}
+
+HWY_INLINE void check_triangles(const LeafLanes& lanes, const Bounds3f& box, Faults& faults) {
+  faults.coordinate = faults.box = hn::FirstN(Floats(), 0);
+  WordVec bits = all(0u);
+  for (std::size_t row = 0; row < 9; ++row) {
+    const FloatVec at = lanes.floats(row);
+    bits = hn::Or(bits, lanes.words(row));
+    faults.coordinate = hn::Or(faults.coordinate, out_of_range(at));
+    faults.box = hn::Or(faults.box, outside(at, at, box, static_cast<int>(row % 3)));
+  }
+  faults.unused = as_float_mask(hn::Ne(bits, all(0u)));
+}
+
+// The boxes of instances in the world; lanes that are not in use have the empty box.
+HWY_INLINE void check_instances(const LeafLanes& lanes, const Bounds3f& box, Faults& faults) {
+  constexpr std::uint32_t kInfinityBits = 0x7f800000u;
+  faults.coordinate = faults.box = hn::FirstN(Floats(), 0);
+  WordVec bits = all(0u);
+  for (std::size_t row = 0; row < 3; ++row) {
+    const FloatVec lo = lanes.floats(row), hi = lanes.floats(row + 3);
+    bits = hn::Or(bits, hn::Xor(lanes.words(row), all(kInfinityBits)));
+    bits = hn::Or(bits, hn::Xor(lanes.words(row + 3), all(kInfinityBits | 0x80000000u)));
+    faults.coordinate = hn::Or(faults.coordinate, hn::Or(out_of_range(lo), out_of_range(hi)));
+    faults.box = hn::Or(faults.box, outside(lo, hi, box, static_cast<int>(row)));
+  }
+  faults.unused = as_float_mask(hn::Ne(bits, all(0u)));
+}
+
+HWY_INLINE void check_shapes(ShapeKind kind, const LeafLanes& lanes, const Bounds3f& box,
+                             Faults& faults) {
+  if (kind == ShapeKind::sphere) return check_spheres(lanes, box, faults);
+  if (kind == ShapeKind::triangle) return check_triangles(lanes, box, faults);
+  if (kind == ShapeKind::cylinder) return check_cylinders(lanes, box, faults);
+  if (kind == ShapeKind::instance) return check_instances(lanes, box, faults);
+  check_rectangles(kind, lanes, box, faults);
+}
+
 // Each id must be above the one before it, except that kNoPrim follows kNoPrim: so lanes in use
 // come first.
 HWY_INLINE void check_ids(const LeafLanes& lanes, std::size_t row, IdRange ids, Faults& faults) {
@@ -116,11 +169,7 @@ LeafVerdict check_leaf(ShapeKind kind, const LeafRow* leaf, const Bounds3f& box,
   for (std::size_t first = 0; first < kLeafWidth; first += kLanes) {
     const LeafLanes lanes{leaf, first};
     Faults faults;
-    if (kind == ShapeKind::sphere) {
-      check_spheres(lanes, box, faults);
-    } else {
-      check_rectangles(kind, lanes, box, faults);
-    }
+    check_shapes(kind, lanes, box, faults);
     check_ids(lanes, leaf_id_row(kind), ids, faults);
     const Mask used = as_float_mask(hn::Ne(lanes.words(leaf_id_row(kind)), all(kNoPrim)));
     const Mask bad_if_used = hn::Or(faults.id, hn::Or(faults.coordinate, faults.box));

@@ -5,7 +5,7 @@
 namespace dapple {
 
 Expected<MappedScene> MappedScene::open(const std::string& path, const VerifyOptions& options) {
-  auto file = MappedFile::open(path);
+  auto file = options.copy ? MappedFile::open_copy(path) : MappedFile::open(path);
   if (!file) return tl::unexpected(file.error());
   auto scene = verify(file->bytes(), options);
   if (!scene) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <type_traits>
 
@@ -13,6 +12,7 @@
 #include "scene/validate.h"
 #include "scene/validate_instances.h"
 #include "scene/validate_looks.h"
+#include "scene_file/first_fault.h"
 #include "scene_file/records.h"
 #include "scene_file/section_hash.h"
 #include "scene_file/section_table.h"
@@ -29,30 +29,6 @@ bool is_in_leaves(SectionType type) {
   return type == SectionType::spheres || type == SectionType::xy_rectangles ||
          type == SectionType::xz_rectangles || type == SectionType::yz_rectangles;
 }
-
-// Of all errors that are found in parallel the one that stands first in the file.
-class FirstFault {
- public:
-  void report(std::uint64_t offset, const std::string& reason) {
-    const std::lock_guard lock(mutex_);
-    const Fault fault{offset, reason};
-    if (!fault_ || fault < *fault_) fault_ = fault;
-  }
-  Status status() const {
-    if (!fault_) return {};
-    return damaged_at(fault_->offset, fault_->reason);
-  }
-
- private:
-  struct Fault {
-    std::uint64_t offset;
-    std::string reason;
-    // clang-tidy takes the comparison with zero that the compiler writes for a null pointer.
-    friend auto operator<=>(const Fault&, const Fault&) = default;  // NOLINT(modernize-use-nullptr)
-  };
-  std::mutex mutex_;
-  std::optional<Fault> fault_;
-};
 
 class Verifier {
  public:
@@ -130,7 +106,14 @@ Status Verifier::lay_out() {
   limits_.emplace(view, table_.elements<MaterialRecord>(SectionType::materials).size());
   view.bvh.nodes = table_.elements<WideNode>(SectionType::bvh_nodes);
   view.bvh.rows = table_.elements<LeafRow>(SectionType::bvh_leaves);
-  if (view.object_count() > kMaxObjectCount) {
+  // Counts of objects take the prototypes, so these come first.
+  const std::size_t bad =
+      first_invalid(view, *limits_, SceneArray::prototypes, 0, view.prototypes.size());
+  if (bad < view.prototypes.size()) {
+    report(*table_.find(SectionType::prototypes), SceneArray::prototypes, bad);
+    return faults_.status();
+  }
+  if (prim_count(view) > kMaxObjectCount) {
     return damaged_at(sizeof(FileHeader), fmt::format("more than {} objects", kMaxObjectCount));
   }
   if (view.bvh.nodes.empty() != view.bvh.rows.empty()) {

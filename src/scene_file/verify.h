@@ -22,6 +22,8 @@ enum class VerifyScope {
 struct VerifyOptions {
   bool hashes = true;  // without, structure and ranges are still checked
   VerifyScope scope = VerifyScope::everything;
+  bool copy = false;  // when a file is opened: its bytes are copied first, so that nobody else can
+                      // change them while they are read
 };
 
 // A scene that lies in the bytes of a file, except for its materials.

@@ -12,7 +12,6 @@ namespace dapple {
 namespace {
 
 constexpr int kWidth = kWideWidth;
-constexpr std::size_t kMaxLeafRows = 6;
 
 int used_children(const WideNode& node) {
   int used = 0;
@@ -57,6 +56,13 @@ struct Pending {
   int depth;
 };
 
+// Of the world and of all prototypes.
+std::size_t count_prims(const SceneView& scene) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < kShapeKindCount; ++k) count += scene.count(static_cast<ShapeKind>(k));
+  return count;
+}
+
 }  // namespace
 
 BvhVerifier::BvhVerifier(const WideBvhView& bvh, const SceneView& scene)
@@ -64,8 +70,35 @@ BvhVerifier::BvhVerifier(const WideBvhView& bvh, const SceneView& scene)
       scene_(scene),
       check_leaf_(leaf_checks().front()),
       first_ids_(first_prim_ids(scene)),
-      prim_count_(scene.object_count()),
-      ids_(prim_count_) {}
+      prim_count_(count_prims(scene)),
+      ids_(prim_count_) {
+  lay_out_trees();
+}
+
+void BvhVerifier::lay_out_trees() {
+  const auto first =
+      static_cast<std::uint32_t>(first_ids_[static_cast<std::size_t>(ShapeKind::triangle)]);
+  const auto in_world = static_cast<std::uint32_t>(scene_.object_count(ShapeKind::triangle));
+  if (scene_.object_count() > 0) trees_.push_back({true, {first, in_world}});
+  for (const Prototype& prototype : scene_.prototypes) {
+    if (prototype.triangle_count == 0) continue;
+    trees_.push_back({false, {first + prototype.first_triangle, prototype.triangle_count}});
+  }
+  if (trees_.empty()) trees_.push_back({true, {first, 0}});
+  roots_.push_back(0);
+  std::size_t pending = 1;
+  for (std::size_t i = 0; i < bvh_.nodes.size() && roots_.size() < trees_.size(); ++i) {
+    for (const ChildRef child : bvh_.nodes[i].children) pending += child.is_node();
+    if (--pending != 0) continue;
+    roots_.push_back(i + 1);
+    pending = 1;
+  }
+}
+
+const BvhVerifier::Tree& BvhVerifier::tree_of(std::size_t node) const {
+  const auto after = std::upper_bound(roots_.begin(), roots_.end(), node);
+  return trees_[static_cast<std::size_t>(after - roots_.begin()) - 1];
+}
 
 // Node after node, with the children still to come on a stack: what is on top must be the next
 // node.
@@ -73,9 +106,12 @@ BvhDamage BvhVerifier::check_order() const {
   std::array<Pending, kMaxWideDepth * kWidth> stack;  // at each level all but one of the siblings
   std::size_t pending = 0;
   std::size_t next_row = 0;
-  stack[pending++] = {0, 1};
+  std::size_t tree_count = 0;
   for (std::size_t i = 0; i < bvh_.nodes.size(); ++i) {
-    if (pending == 0) return {i, "the node is not part of the tree"};
+    if (pending == 0) {
+      if (tree_count++ == trees_.size()) return {i, "the node is not part of the tree"};
+      stack[pending++] = {i, 1};
+    }
     const Pending current = stack[--pending];
     if (current.node != i) return {i, "the node is not the next in depth-first order"};
     const auto& children = bvh_.nodes[i].children;
@@ -95,6 +131,7 @@ BvhDamage BvhVerifier::check_order() const {
   if (pending != 0) {
     return {bvh_.nodes.size() - 1, "a child after it is no node or is there twice"};
   }
+  if (tree_count != trees_.size()) return {0, "the tree of a prototype is missing"};
   if (next_row != bvh_.rows.size()) return {0, "there are rows that belong to no leaf"};
   return {};
 }
@@ -118,10 +155,12 @@ const char* BvhVerifier::reason_against(std::size_t index, std::size_t& count) c
   const int used = used_children(node);
   if (used == 0) return "the node has no children";
   if (!rest_is_empty(node, used)) return "an empty child is not empty or not last";
+  const Tree& tree = tree_of(index);
   for (int slot = 0; slot < used; ++slot) {
     if (!box_is_finite(node, slot)) return "a box is not finite";
-    const char* reason = node.children[slot].is_leaf() ? reason_against_leaf(node, slot, count)
-                                                       : reason_against_inner(index, slot);
+    const char* reason = node.children[slot].is_leaf()
+                             ? reason_against_leaf(node, slot, tree, count)
+                             : reason_against_inner(index, slot);
     if (reason != nullptr) return reason;
   }
   return nullptr;
@@ -147,21 +186,25 @@ const char* BvhVerifier::reason_against_inner(std::size_t index, int slot) const
   return outside == 0 ? nullptr : "a child's box does not contain the boxes in it";
 }
 
-IdRange BvhVerifier::ids_of(ShapeKind kind) const {
+IdRange BvhVerifier::ids_of(const Tree& tree, ShapeKind kind) const {
+  if (kind == ShapeKind::triangle) return tree.triangles;
   return {static_cast<std::uint32_t>(first_ids_[static_cast<std::size_t>(kind)]),
           static_cast<std::uint32_t>(scene_.count(kind))};
 }
 
-const char* BvhVerifier::reason_against_leaf(const WideNode& node, int slot,
+const char* BvhVerifier::reason_against_leaf(const WideNode& node, int slot, const Tree& tree,
                                              std::size_t& count) const {
   const ChildRef child = node.children[slot];
   const ShapeKind kind = child.leaf_kind();
-  if (kind != ShapeKind::sphere && !is_rectangle(kind)) return "a leaf is of no known kind";
+  if (static_cast<std::size_t>(kind) >= kShapeKindCount) return "a leaf is of no known kind";
+  if (!tree.world && kind != ShapeKind::triangle) {
+    return "a leaf of a prototype does not hold triangles";
+  }
   if (child.leaf_row() + leaf_rows(kind) > bvh_.rows.size()) {
     return "a leaf reaches beyond the last row";
   }
   const LeafRow* leaf = &bvh_.rows[child.leaf_row()];
-  const LeafVerdict verdict = check_leaf_(kind, leaf, box_of(node, slot), ids_of(kind));
+  const LeafVerdict verdict = check_leaf_(kind, leaf, box_of(node, slot), ids_of(tree, kind));
   count += verdict.count;
   switch (verdict.fault) {
     case LeafFault::none:
@@ -200,7 +243,7 @@ bool BvhVerifier::leaf_is_of_shapes(LeafRef leaf, IdSet::Bits& ids) const {
   const std::size_t count = count_of(bvh_.rows.data(), leaf);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const PrimId id = leaf_prim_id(bvh_.rows.data(), leaf.lane(lane));
-    write_lane(scene_, leaf.kind(), id - first, id, expected.data(), lane);
+    write_lane(scene_, prototype_boxes_, leaf.kind(), id - first, id, expected.data(), lane);
     IdSet::insert(ids, id);
   }
   const LeafRow* rows = &bvh_.rows[leaf.first_row()];
@@ -208,6 +251,7 @@ bool BvhVerifier::leaf_is_of_shapes(LeafRef leaf, IdSet::Bits& ids) const {
 }
 
 BvhDamage BvhVerifier::check_shapes(std::size_t begin, std::size_t end) {
+  std::call_once(boxes_made_, [&] { prototype_boxes_ = prototype_boxes(scene_); });
   IdSet::Bits ids = ids_.take();
   BvhDamage damage;
   for (std::size_t i = begin; i < end && damage.ok(); ++i) {

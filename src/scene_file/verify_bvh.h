@@ -4,10 +4,11 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
-#include "scene/scene_view.h"
+#include "scene/prims.h"
 #include "scene_file/id_set.h"
 #include "scene_file/leaf_check.h"
 
@@ -30,6 +31,7 @@ class BvhVerifier {
   // The scene is asked for its counts; only check_shapes reads its shapes.
   BvhVerifier(const WideBvhView& bvh, const SceneView& scene);
 
+  // There is a tree for the world and for each prototype that has triangles, one after the other.
   // Each node is reached exactly once, in depth-first order; leaves tile the rows in the order of
   // their nodes; no path is longer than kMaxWideDepth.
   BvhDamage check_order() const;
@@ -55,19 +57,33 @@ class BvhVerifier {
   std::vector<std::size_t> cuts_by_rows(std::size_t rows_at_once) const;
 
  private:
+  // One of the trees: what stands in the world, or the triangles of a prototype.
+  struct Tree {
+    bool world = true;
+    IdRange triangles;  // that belong in it
+  };
+
   // These add the primitives that they find to `count`.
   const char* reason_against(std::size_t index, std::size_t& count) const;
-  const char* reason_against_leaf(const WideNode& node, int slot, std::size_t& count) const;
+  const char* reason_against_leaf(const WideNode& node, int slot, const Tree& tree,
+                                  std::size_t& count) const;
   const char* reason_against_inner(std::size_t index, int slot) const;
   bool leaf_is_of_shapes(LeafRef leaf, IdSet::Bits& ids) const;
-  IdRange ids_of(ShapeKind kind) const;
+  void lay_out_trees();
+  const Tree& tree_of(std::size_t node) const;
+  IdRange ids_of(const Tree& tree, ShapeKind kind) const;
   void prefetch_shapes(const WideNode& node) const;
 
   WideBvhView bvh_;
   const SceneView& scene_;
   LeafCheck check_leaf_;
   std::array<std::size_t, kShapeKindCount> first_ids_;
-  std::size_t prim_count_;
+  PrototypeBoxes prototype_boxes_;  // made when shapes are first read
+  std::once_flag boxes_made_;
+  std::size_t prim_count_ = 0;
+  std::vector<Tree> trees_;
+  std::vector<std::size_t>
+      roots_;  // where the nodes of the trees begin; means nothing in a bad file
   IdSet ids_;
   std::atomic<std::size_t> found_count_{0};
 };

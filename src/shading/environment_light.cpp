@@ -4,13 +4,13 @@
 
 #include "math/fast_functions.h"
 #include "math/warps.h"
+#include "shading/colour.h"
+#include "shading/studio.h"
 
 namespace dapple {
 namespace {
 
 constexpr float kUniformPdf = 0.25f * kInvPi;
-
-float luminance(const Vec3f& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 float fraction(float x) { return x - static_cast<float>(floor_to_int(x)); }
 
@@ -35,49 +35,92 @@ float sine_from(float cosine) {
   return squared > 0.0f ? std::sqrt(squared) : 0.0f;
 }
 
+constexpr int kMostColumns = 1024, kMostRows = 512;  // of the grid of densities
+
+// Interpolation between texels reaches into neighbouring cells.
+std::vector<float> blurred(const std::vector<float>& values, int columns, int rows) {
+  std::vector<float> result(values.size());
+  const auto at = [&](int x, int y) {
+    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y < rows; ++y) {
+    const int above = std::max(y - 1, 0), below = std::min(y + 1, rows - 1);
+    for (int x = 0; x < columns; ++x) {
+      const int left = x > 0 ? x - 1 : columns - 1, right = x + 1 < columns ? x + 1 : 0;
+      result[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+             static_cast<std::size_t>(x)] =
+          0.7f * at(x, y) + 0.06f * (at(left, y) + at(right, y) + at(x, above) + at(x, below)) +
+          0.015f * (at(left, above) + at(right, above) + at(left, below) + at(right, below));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const SceneView& scene, const TextureSet& textures)
     : turn_(scene.environment.rotation / 360.0f), colour_(scene.environment.colour) {
   const Environment& environment = scene.environment;
-  black_ = environment.kind == EnvironmentKind::none || luminance(colour_) <= 0;
+  black_ = environment.kind == EnvironmentKind::none || !(max_component(colour_) > 0);
   if (black_) return;
   mean_ = colour_;
-  if (environment.kind != EnvironmentKind::image || environment.image == kNoImage) return;
-  const TextureImage& image = scene.images[static_cast<std::size_t>(environment.image)];
-  width_ = static_cast<int>(image.width), height_ = static_cast<int>(image.height);
-  pixels_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  if (environment.kind == EnvironmentKind::studio) {
+    own_pixels_ = studio_pixels();
+    use_own_pixels(kStudioWidth, kStudioHeight);
+  } else if (environment.kind == EnvironmentKind::image && environment.image != kNoImage) {
+    use_image(scene, textures);
+  }
+  if (!is_uniform()) build_distribution();
+}
+
+void EnvironmentLight::use_own_pixels(int width, int height) {
+  static_assert(sizeof(Vec3f) == 12);
+  width_ = width, height_ = height;
+  texels_ = reinterpret_cast<const std::uint8_t*>(own_pixels_.data());
+}
+
+void EnvironmentLight::use_image(const SceneView& scene, const TextureSet& textures) {
+  const ImageId id = scene.environment.image;
+  const TextureImage& image = scene.images[static_cast<std::size_t>(id)];
+  const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  if (image.format == TexelFormat::rgb32f) {
+    width_ = width, height_ = height;
+    texels_ = scene.texels.data() + image.offset;
+    return;
+  }
+  own_pixels_.reserve(std::size_t{image.width} * image.height);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
-      pixels_[std::size_t{y} * image.width + x] =
-          colour_ * textures.texel(environment.image, true, x, y).xyz();
+      own_pixels_.push_back(textures.texel(id, true, x, y).xyz());
     }
   }
-  build_distribution();
+  use_own_pixels(width, height);
 }
 
 void EnvironmentLight::build_distribution() {
-  std::vector<float> weights(pixels_.size());
+  const int columns = std::min(width_, kMostColumns), rows = std::min(height_, kMostRows);
+  const auto stride = static_cast<std::size_t>(columns);
+  std::vector<float> sums(stride * static_cast<std::size_t>(rows));
   Vec3d sum;
   double total = 0;
   for (int y = 0; y < height_; ++y) {
-    const float sine = sin_cos_turns(0.5f * (static_cast<float>(y) + 0.5f) / float(height_)).sin;
+    const float sine =
+        sin_cos_turns(0.5f * (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)).sin;
+    const auto row = static_cast<std::size_t>(std::int64_t{y} * rows / height_) * stride;
+    Vec3d of_row;
     for (int x = 0; x < width_; ++x) {
-      const int left = x > 0 ? x - 1 : width_ - 1, right = x + 1 < width_ ? x + 1 : 0;
-      const int above = std::max(y - 1, 0), below = std::min(y + 1, height_ - 1);
-      // Bilinear lookups reach into the neighbours' cells.
-      const float near = 0.25f * (luminance(texel(left, y)) + luminance(texel(right, y)) +
-                                  luminance(texel(x, above)) + luminance(texel(x, below)));
-      weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-              static_cast<std::size_t>(x)] =
-          std::max(0.0f, 0.75f * luminance(texel(x, y)) + 0.25f * near) * sine;
-      sum = sum + double(sine) * Vec3d(texel(x, y));
-      total += sine;
+      const Vec3f value = texel(x, y);
+      of_row = of_row + Vec3d(value);
+      sums[row + static_cast<std::size_t>(std::int64_t{x} * columns / width_)] +=
+          sine * std::max(luminance(value), 0.0f);
     }
+    sum = sum + static_cast<double>(sine) * of_row;
+    total += static_cast<double>(sine) * width_;
   }
-  mean_ = Vec3f(sum / total);
-  distribution_ = PiecewiseConstant2d(std::move(weights), static_cast<std::size_t>(width_),
-                                      static_cast<std::size_t>(height_));
+  mean_ = colour_ * Vec3f(sum / total);
+  distribution_ =
+      PiecewiseConstant2d(blurred(sums, columns, rows), stride, static_cast<std::size_t>(rows));
 }
 
 Vec3f EnvironmentLight::lookup(Vec2f uv) const {
@@ -87,18 +130,18 @@ Vec3f EnvironmentLight::lookup(Vec2f uv) const {
   const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
   const int x0 = i < 0 ? width_ - 1 : i, x1 = i + 1 < width_ ? i + 1 : 0;
   const int y0 = std::max(j, 0), y1 = std::min(j + 1, height_ - 1);
-  return (1 - fy) * ((1 - fx) * texel(x0, y0) + fx * texel(x1, y0)) +
-         fy * ((1 - fx) * texel(x0, y1) + fx * texel(x1, y1));
+  return colour_ * ((1 - fy) * ((1 - fx) * texel(x0, y0) + fx * texel(x1, y0)) +
+                    fy * ((1 - fx) * texel(x0, y1) + fx * texel(x1, y1)));
 }
 
 Vec3f EnvironmentLight::radiance(const Vec3f& direction) const {
   if (black_) return {};
-  return pixels_.empty() ? colour_ : lookup(uv_of(direction, turn_));
+  return is_uniform() ? colour_ : lookup(uv_of(direction, turn_));
 }
 
 EnvironmentSample EnvironmentLight::sample(Vec2f u) const {
   if (black_) return {};
-  if (pixels_.empty()) return {sample_uniform_sphere(u.x, u.y), colour_, kUniformPdf};
+  if (is_uniform()) return {sample_uniform_sphere(u.x, u.y), colour_, kUniformPdf};
   const auto found = distribution_.sample(u);
   const Vec3f direction = direction_of(found.point, turn_);
   return {direction, lookup(found.point), per_solid_angle(found.pdf, sine_from(direction.y))};
@@ -106,7 +149,7 @@ EnvironmentSample EnvironmentLight::sample(Vec2f u) const {
 
 float EnvironmentLight::pdf(const Vec3f& direction) const {
   if (black_) return 0;
-  if (pixels_.empty()) return kUniformPdf;
+  if (is_uniform()) return kUniformPdf;
   return per_solid_angle(distribution_.pdf(uv_of(direction, turn_)), sine_from(direction.y));
 }
 

@@ -9,7 +9,10 @@
 #include "math/vec2.h"
 #include "math/vec3.h"
 #include "scene/scene_view.h"
+#include "shading/emitter_shapes.h"
 #include "shading/environment_light.h"
+#include "shading/lamp.h"
+#include "shading/light_tree.h"
 #include "shading/material_evaluator.h"
 #include "shading/texture_set.h"
 
@@ -23,23 +26,9 @@ struct LightSample {
   bool delta = false;  // no other strategy finds this light
 };
 
-// A surface that shines, as a ray finds it.
-enum class EmitterKind : std::uint32_t {
-  triangle,
-  sphere,
-  xy_rectangle,
-  xz_rectangle,
-  yz_rectangle,
-  cylinder
-};
-inline constexpr std::size_t kEmitterKindCount = 6;
-inline constexpr std::uint32_t kNoInstance = 0xffffffffu;
-struct EmitterId {
-  EmitterKind kind = EmitterKind::triangle;
-  std::uint32_t index = 0;               // in the scene's array of the kind
-  std::uint32_t instance = kNoInstance;  // of triangles that are seen through one
-};
-
+// A point's light is asked of three: what is near (a tree over emitters and lamps chooses by power,
+// distance and direction), the directional lights, and the environment, by what each may give.
+//
 // The scene, the textures and the evaluator must outlive this.
 class LightSet {
  public:
@@ -58,27 +47,48 @@ class LightSet {
   float pdf_of_environment(const Vec3f& position, const Vec3f& normal, const Vec3f& wi) const;
 
   const EnvironmentLight& environment() const { return environment_; }
-  bool empty() const { return lights_.empty() && environment_.is_black(); }
+  std::size_t near_count() const { return near_.size(); }
+  bool empty() const { return tree_.empty() && directional_.empty() && environment_.is_black(); }
 
  private:
-  enum class Kind : std::uint32_t { emitter, lamp };
-  struct Entry {
-    Kind kind = Kind::emitter;
-    EmitterId emitter;  // of a lamp: index in the scene's lights
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  // One light of the tree: an emitter, or entry `lamp` of the lamps.
+  struct Near {
+    EmitterId emitter;
+    std::uint32_t lamp = kNone;
+  };
+  // Probabilities of asking each group; they sum to 1, or to 0 when there is no light.
+  struct Groups {
+    float near = 0, directional = 0, environment = 0;
   };
 
-  void add_triangles(const MaterialEvaluator& materials);
-  float environment_probability() const;
-  float light_probability() const;
-  std::optional<LightSample> sample_triangle(const EmitterId& emitter, const Vec3f& position,
-                                             Vec2f u) const;
-  std::optional<LightSample> sample_lamp(const Light& light, const Vec3f& position) const;
-  std::array<Vec3f, 3> corners(const EmitterId& emitter) const;
+  void add_emitters(std::vector<LightBounds>& bounds);
+  void add_triangles(std::vector<LightBounds>& bounds);
+  void add_emitter(const EmitterId& emitter, std::vector<LightBounds>& bounds);
+  std::uint32_t near_index(const EmitterId& emitter) const;
+  Groups groups(const Vec3f& position, const Vec3f& normal) const;
+  std::optional<LightSample> sample_near(const Vec3f& position, const Vec3f& normal, float u_choose,
+                                         Vec2f u) const;
+  std::optional<LightSample> sample_directional(const Vec3f& position, float u_choose) const;
+  std::optional<LightSample> sample_environment(Vec2f u) const;
 
   SceneView scene_;
   const MaterialEvaluator* materials_;
+  EmitterShapes shapes_;
   EnvironmentLight environment_;
-  std::vector<Entry> lights_;
+  std::vector<Near> near_;
+  std::vector<Lamp> lamps_;
+  LightTree tree_;
+  std::vector<Lamp> directional_;
+  float directional_total_ = 0;  // luminance
+  float environment_total_ = 0;  // irradiance of its mean, luminance
+
+  // From emitters to near_: by kind and index in the scene's arrays, empty for kinds that do not
+  // shine; and for triangles of instances by instance, then by place in the prototype.
+  std::array<std::vector<std::uint32_t>, kEmitterKindCount> near_of_;
+  std::vector<std::uint32_t> first_of_instance_;
+  std::vector<std::uint32_t> near_of_instanced_;
 };
 
 }  // namespace dapple

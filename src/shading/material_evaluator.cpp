@@ -4,6 +4,7 @@
 
 #include "math/fast_functions.h"
 #include "shading/bsdf_builder.h"
+#include "shading/colour.h"
 
 namespace dapple {
 
@@ -16,25 +17,17 @@ const LayeredMaterial* MaterialEvaluator::layered(MaterialId material) const {
 }
 
 Bsdf MaterialEvaluator::make_bsdf(MaterialId material, const SurfaceInteraction& at,
-                                  const Vec3f& wo, DispersionChannel) const {
+                                  const Vec3f& wo, DispersionChannel dispersion) const {
   BsdfBuilder builder(at, wo);
-  if (const LayeredMaterial* m = layered(material)) {
-    const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
-    const Vec4f mr =
-        textures_.lookup(m->map(MapUse::metallic_roughness), MapUse::metallic_roughness, at);
-    builder.metallic_roughness(m->base_colour * base.xyz() * at.colour.xyz(), m->metallic * mr.z,
-                               m->roughness * mr.y);
-  } else {
-    builder.classic(scene_.materials[index_of(material)]);
-  }
-  return builder.build();
+  const LayeredMaterial* m = layered(material);
+  if (m == nullptr) return builder.classic(scene_.materials[index_of(material)]);
+  return builder.layered(layered_point(*m, at, textures_), dispersion);
 }
 
 float MaterialEvaluator::opacity(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr || m->alpha_mode == AlphaMode::opaque) return 1;
-  const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
-  const float alpha = m->alpha * base.w * at.colour.w;
+  const float alpha = base_colour(*m, at, textures_).w;
   if (m->alpha_mode == AlphaMode::mask) return alpha >= m->alpha_cutoff ? 1.0f : 0.0f;
   return std::clamp(alpha, 0.0f, 1.0f);
 }
@@ -46,13 +39,18 @@ bool MaterialEvaluator::may_be_transparent(MaterialId material) const {
 
 Vec3f MaterialEvaluator::emission(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
-  if (m == nullptr) return {};
+  if (m == nullptr || m->emission == Vec3f()) return {};
   return m->emission * textures_.lookup(m->map(MapUse::emissive), MapUse::emissive, at).xyz();
+}
+
+Vec3f MaterialEvaluator::greatest_emission(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m == nullptr ? Vec3f() : m->emission;
 }
 
 bool MaterialEvaluator::is_emissive(MaterialId material) const {
   const LayeredMaterial* m = layered(material);
-  return m != nullptr && (m->emission.x > 0 || m->emission.y > 0 || m->emission.z > 0);
+  return m != nullptr && (max_component(m->emission) > 0);
 }
 
 bool MaterialEvaluator::is_unlit(MaterialId material) const {
@@ -63,8 +61,7 @@ bool MaterialEvaluator::is_unlit(MaterialId material) const {
 Vec3f MaterialEvaluator::unlit_colour(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr) return {};
-  const Vec4f base = textures_.lookup(m->map(MapUse::base_colour), MapUse::base_colour, at);
-  return m->base_colour * base.xyz() * at.colour.xyz();
+  return base_colour(*m, at, textures_).xyz();
 }
 
 bool MaterialEvaluator::has_interior(MaterialId material) const {

@@ -3,17 +3,12 @@
 
 #include "scene/scene_view.h"
 #include "shading/bsdf.h"
+#include "shading/bsdf_builder.h"
 #include "shading/medium.h"
 #include "shading/surface_interaction.h"
 #include "shading/texture_set.h"
 
 namespace dapple {
-
-// Which colour channel's index of refraction a path follows through dispersive surfaces.
-struct DispersionChannel {
-  int channel = 0;     // 0 to 2, uniformly random per path
-  bool alone = false;  // the path carries no other (BsdfSample::one_channel)
-};
 
 // The scene and the textures must outlive this. All calls may come from many threads.
 class MaterialEvaluator {
@@ -31,6 +26,7 @@ class MaterialEvaluator {
   // Radiance, the same from both sides and in every direction.
   Vec3f emission(MaterialId material, const SurfaceInteraction& at) const;
   bool is_emissive(MaterialId material) const;
+  Vec3f greatest_emission(MaterialId material) const;  // where its texture is white
 
   // Shows its base colour whatever the light: the path ends here with unlit_colour() as radiance.
   bool is_unlit(MaterialId material) const;

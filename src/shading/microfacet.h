@@ -1,5 +1,11 @@
-// The microfacet distribution of Trowbridge and Reitz [WalterMLT07], anisotropic, with Smith's
-// height-correlated shadowing. Directions are local, the normal is z.
+// The microfacet distribution of Trowbridge and Reitz [WalterMLT07], with Smith's
+// height-correlated shadowing [Heitz14]. Directions are local, the normal is z.
+//
+//   d       density of facet normals per projected area: with cos(h) it integrates to 1
+//   lambda  1 / (1 + lambda(w)) of the facets that face w are seen from there, and
+//           1 / (1 + lambda(wo) + lambda(wi)) from both sides of a scattering
+//
+// Normals are sampled as they are seen from w: with density d(h) dot(w, h) / (w.z (1 + lambda(w))).
 #pragma once
 
 #include <algorithm>
@@ -12,29 +18,24 @@
 namespace dapple {
 
 struct MicrofacetDistribution {
+  // Narrower distributions are taken as mirrors.
+  static constexpr float kMirrorAlpha = 1e-4f;
+
   float alpha_x = 1, alpha_y = 1;
 
-  // Density of normals per projected area; integrates with cos(h) to 1.
   float d(const Vec3f& h) const {
     const float x = h.x / alpha_x, y = h.y / alpha_y;
     const float s = x * x + y * y + h.z * h.z;
     return kInvPi / (alpha_x * alpha_y * s * s);
   }
+
   float lambda(const Vec3f& w) const {
     const float x = alpha_x * w.x, y = alpha_y * w.y;
-    const float z2 = w.z * w.z;
-    return z2 > 0.0f ? 0.5f * (std::sqrt(1.0f + (x * x + y * y) / z2) - 1.0f) : 1e18f;
+    const float z2 = std::max(w.z * w.z, 1e-18f);
+    return 0.5f * (std::sqrt(1.0f + (x * x + y * y) / z2) - 1.0f);
   }
-  // The part of normals that is seen from w, and from both sides of a scattering.
-  float g1(const Vec3f& w) const { return 1.0f / (1.0f + lambda(w)); }
-  float g2(const Vec3f& wo, const Vec3f& wi) const {
-    return 1.0f / (1.0f + lambda(wo) + lambda(wi));
-  }
-  // Density of visible normals seen from w, w.z > 0, over solid angle.
-  float visible_density(const Vec3f& w, const Vec3f& h) const {
-    return g1(w) * d(h) * std::max(dot(w, h), 0.0f) / w.z;
-  }
-  // A visible normal: the spherical cap of Dupuy and Benyoub [DupuyB23].
+
+  // The part of a spherical cap that Dupuy and Benyoub [DupuyB23] found visible normals to be.
   Vec3f sample(const Vec3f& w, Vec2f u) const {
     const Vec3f stretched = normalize(Vec3f(alpha_x * w.x, alpha_y * w.y, w.z));
     const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
@@ -44,6 +45,25 @@ struct MicrofacetDistribution {
     const Vec3f h = Vec3f(r * angle.cos, r * angle.sin, z) + stretched;
     return normalize(Vec3f(alpha_x * h.x, alpha_y * h.y, std::max(h.z, 1e-7f)));
   }
+};
+
+// The same by angles to the normal alone.
+class IsotropicMicrofacets {
+ public:
+  explicit IsotropicMicrofacets(float alpha) : alpha2_(alpha * alpha) {}
+
+  // By the square of the sine: that of a small angle's cosine has too few digits.
+  float d(float sin2) const {
+    const float s = sin2 + alpha2_ * (1.0f - sin2);
+    return kInvPi * alpha2_ / (s * s);
+  }
+  float lambda(float cosine) const {
+    const float z2 = std::max(cosine * cosine, 1e-18f);
+    return 0.5f * (std::sqrt(1.0f + alpha2_ * std::max(1.0f - z2, 0.0f) / z2) - 1.0f);
+  }
+
+ private:
+  float alpha2_;
 };
 
 }  // namespace dapple

@@ -28,9 +28,14 @@ struct Found {
   float mass;
 };
 
+// The last cell that begins at or before u, by a search without branches.
 Found find(std::span<const float> cdf, float u) {
-  const auto above = std::upper_bound(cdf.begin() + 1, cdf.end() - 1, u);
-  const auto cell = static_cast<std::size_t>(above - cdf.begin()) - 1;
+  std::size_t cell = 0;
+  for (std::size_t left = cdf.size() - 1; left > 1;) {
+    const std::size_t half = left / 2;
+    cell += cdf[cell + half] <= u ? half : 0;
+    left -= half;
+  }
   const float mass = cdf[cell + 1] - cdf[cell];
   const float within = mass > 0 ? (u - cdf[cell]) / mass : 0.5f;
   return {cell, std::min(within, kBelowOne), mass};

@@ -1,22 +1,15 @@
 #include "shading/texture_set.h"
 
-#include <cstring>
+#include <algorithm>
 
-#include "image/transfer.h"
 #include "math/fast_functions.h"
 
 namespace dapple {
 namespace {
 
-// Linear values of all 8-bit and 16-bit codes, as data and as sRGB colour.
-struct DecodeTables {
-  std::vector<float> srgb8 = decode_table(255, Transfer::srgb);
-  std::vector<float> srgb16 = decode_table(65535, Transfer::srgb);
-};
-const DecodeTables& tables() {
-  static const DecodeTables instance;
-  return instance;
-}
+// Samples of a pixel lie all over it and blur already; a finer level than the pixel's own keeps
+// what they could show.
+constexpr float kLevelBias = -1.0f;
 
 std::int32_t wrapped(std::int32_t i, std::int32_t n, Wrap wrap) {
   if (i >= 0 && i < n) return i;
@@ -27,7 +20,46 @@ std::int32_t wrapped(std::int32_t i, std::int32_t n, Wrap wrap) {
   return k < n ? k : 2 * n - 1 - k;
 }
 
+// Keeps coordinates where texels can be counted; what is not a number becomes 0.
+float bounded(float x) { return x > -1e6f ? std::min(x, 1e6f) : x <= -1e6f ? -1e6f : 0.0f; }
+
 Vec4f lerp(Vec4f a, Vec4f b, float t) { return (1.0f - t) * a + t * b; }
+
+Vec4f sample_level(const MipLevel& level, const Texture& texture, Vec2f uv) {
+  const auto width = static_cast<float>(level.width), height = static_cast<float>(level.height);
+  const bool nearest = texture.filter == Filter::nearest;
+  const float offset = nearest ? 0.0f : 0.5f;
+  const float x = uv.x * width - offset, y = uv.y * height - offset;
+  const std::int32_t i = floor_to_int(x), j = floor_to_int(y);
+  const auto column = [&](std::int32_t k) {
+    return static_cast<std::size_t>(wrapped(k, level.width, texture.wrap_u));
+  };
+  const auto row = [&](std::int32_t k) {
+    return static_cast<std::size_t>(wrapped(k, level.height, texture.wrap_v)) *
+           static_cast<std::size_t>(level.width);
+  };
+  return with_reader(level.coding, [&](const auto& read) {
+    const std::size_t row0 = row(j), column0 = column(i);
+    if (nearest) return read(level.texels, row0 + column0);
+    const std::size_t row1 = row(j + 1), column1 = column(i + 1);
+    const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
+    return lerp(lerp(read(level.texels, row0 + column0), read(level.texels, row0 + column1), fx),
+                lerp(read(level.texels, row1 + column0), read(level.texels, row1 + column1), fx),
+                fy);
+  });
+}
+
+Vec2f moved(const TextureSlot& slot, Vec2f p) {
+  const auto& m = slot.to_uv;
+  return {bounded(m[0][0] * p.x + m[0][1] * p.y + m[0][2]),
+          bounded(m[1][0] * p.x + m[1][1] * p.y + m[1][2])};
+}
+
+// How much longer lengths become by the slot's map.
+float scale_of(const TextureSlot& slot) {
+  const auto& m = slot.to_uv;
+  return std::sqrt(std::fabs(m[0][0] * m[1][1] - m[0][1] * m[1][0]));
+}
 
 }  // namespace
 
@@ -46,33 +78,28 @@ TextureSet::TextureSet(const SceneView& scene)
   }
 }
 
+MipLevel TextureSet::whole_image(std::size_t image, bool colour) const {
+  const TextureImage& source = images_[image];
+  return {texels_.data() + source.offset, coding_of(source.format, colour),
+          static_cast<std::int32_t>(source.width), static_cast<std::int32_t>(source.height)};
+}
+
 void TextureSet::add_pyramid(std::size_t image, bool colour) {
   if (pyramid_ids_[image][colour] != kNoPyramid) return;
   pyramid_ids_[image][colour] = static_cast<std::uint32_t>(pyramids_.size());
-  const TextureImage& source = images_[image];
-  Pyramid pyramid{.format = source.format,
-                  .first_level = static_cast<std::uint32_t>(levels_.size()),
-                  .level_count = 1};
-  levels_.push_back({texels_.data() + source.offset, static_cast<std::int32_t>(source.width),
-                     static_cast<std::int32_t>(source.height)});
-  pyramid.log2_size =
-      0.5f * fast_log2(static_cast<float>(source.width) * static_cast<float>(source.height));
-  build_levels(pyramid, colour);
-  pyramids_.push_back(pyramid);
-}
-
-void TextureSet::build_levels(Pyramid& pyramid, bool colour) {
-  const Level level = levels_[pyramid.first_level];
-  double sum[4] = {};
-  for (std::int32_t y = 0; y < level.height; ++y) {
-    for (std::int32_t x = 0; x < level.width; ++x) {
-      const Vec4f v = fetch(pyramid.format, colour, level, x, y);
-      sum[0] += v.x, sum[1] += v.y, sum[2] += v.z, sum[3] += v.w;
-    }
+  MipLevel level = whole_image(image, colour);
+  Pyramid pyramid{
+      static_cast<std::uint32_t>(levels_.size()), 1,
+      0.5f * fast_log2(static_cast<float>(level.width) * static_cast<float>(level.height))};
+  levels_.push_back(level);
+  while (level.width > 1 || level.height > 1) {
+    OwnedMipLevel next = next_mip_level(level);
+    level = next.level;
+    storage_.push_back(std::move(next.storage));
+    levels_.push_back(level);
+    ++pyramid.level_count;
   }
-  const double n = static_cast<double>(level.width) * level.height;
-  pyramid.mean = {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n),
-                  static_cast<float>(sum[2] / n), static_cast<float>(sum[3] / n)};
+  pyramids_.push_back(pyramid);
 }
 
 const TextureSet::Pyramid* TextureSet::pyramid_of(const TextureSlot& slot, MapUse use) const {
@@ -82,66 +109,37 @@ const TextureSet::Pyramid* TextureSet::pyramid_of(const TextureSlot& slot, MapUs
   return id == kNoPyramid ? nullptr : &pyramids_[id];
 }
 
-Vec4f TextureSet::fetch(TexelFormat format, bool colour, const Level& level, std::int32_t x,
-                        std::int32_t y) const {
-  const std::size_t index = static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
-                            static_cast<std::size_t>(x);
-  if (format == TexelFormat::rgba8) {
-    const std::uint8_t* t = level.texels + 4 * index;
-    constexpr float kScale = 1.0f / 255;
-    if (!colour) return {t[0] * kScale, t[1] * kScale, t[2] * kScale, t[3] * kScale};
-    const float* srgb = tables().srgb8.data();
-    return {srgb[t[0]], srgb[t[1]], srgb[t[2]], t[3] * kScale};
-  }
-  if (format == TexelFormat::rgba16) {
-    std::uint16_t t[4];
-    std::memcpy(t, level.texels + 8 * index, sizeof(t));
-    constexpr float kScale = 1.0f / 65535;
-    if (!colour) return {t[0] * kScale, t[1] * kScale, t[2] * kScale, t[3] * kScale};
-    const float* srgb = tables().srgb16.data();
-    return {srgb[t[0]], srgb[t[1]], srgb[t[2]], t[3] * kScale};
-  }
-  float t[3];
-  std::memcpy(t, level.texels + 12 * index, sizeof(t));
-  return {t[0], t[1], t[2], 1.0f};
-}
-
-Vec4f TextureSet::sample_level(const Texture& texture, const Pyramid& pyramid, bool colour,
-                               std::uint32_t level_index, Vec2f uv) const {
-  const Level& level = levels_[pyramid.first_level + level_index];
-  const float x = uv.x * static_cast<float>(level.width);
-  const float y = uv.y * static_cast<float>(level.height);
-  const auto at = [&](std::int32_t i, std::int32_t j) {
-    return fetch(pyramid.format, colour, level, wrapped(i, level.width, texture.wrap_u),
-                 wrapped(j, level.height, texture.wrap_v));
-  };
-  if (texture.filter == Filter::nearest) return at(floor_to_int(x), floor_to_int(y));
-  const std::int32_t i = floor_to_int(x - 0.5f), j = floor_to_int(y - 0.5f);
-  const float fx = x - 0.5f - static_cast<float>(i), fy = y - 0.5f - static_cast<float>(j);
-  return lerp(lerp(at(i, j), at(i + 1, j), fx), lerp(at(i, j + 1), at(i + 1, j + 1), fx), fy);
-}
-
 Vec4f TextureSet::lookup(const TextureSlot& slot, MapUse use, const SurfaceInteraction& at) const {
   const Pyramid* pyramid = pyramid_of(slot, use);
   if (pyramid == nullptr) return {1, 1, 1, 1};
-  const Vec2f p = at.uvs[slot.uv_set];
-  const auto& m = slot.to_uv;
-  const Vec2f uv{m[0][0] * p.x + m[0][1] * p.y + m[0][2], m[1][0] * p.x + m[1][1] * p.y + m[1][2]};
   const Texture& texture = textures_[static_cast<std::size_t>(slot.texture)];
-  return sample_level(texture, *pyramid, is_colour_map(use), 0, uv);
+  const Vec2f uv = moved(slot, at.uvs[slot.uv_set]);
+  const MipLevel* levels = levels_.data() + pyramid->first_level;
+  const float footprint = at.cone_width * at.uv_per_length[slot.uv_set];
+  if (!(footprint > 1e-12f) || texture.filter == Filter::nearest) {
+    return sample_level(levels[0], texture, uv);
+  }
+  const float level =
+      fast_log2(std::max(footprint * scale_of(slot), 1e-30f)) + pyramid->log2_size + kLevelBias;
+  if (!(level > 0.0f)) return sample_level(levels[0], texture, uv);
+  const auto last = static_cast<float>(pyramid->level_count - 1);
+  if (level >= last) return sample_level(levels[pyramid->level_count - 1], texture, uv);
+  const auto finer = static_cast<std::size_t>(level);
+  return lerp(sample_level(levels[finer], texture, uv),
+              sample_level(levels[finer + 1], texture, uv), level - static_cast<float>(finer));
 }
 
 Vec4f TextureSet::mean(const TextureSlot& slot, MapUse use) const {
   const Pyramid* pyramid = pyramid_of(slot, use);
-  return pyramid == nullptr ? Vec4f{1, 1, 1, 1} : pyramid->mean;
+  if (pyramid == nullptr) return {1, 1, 1, 1};
+  const MipLevel& level = levels_[pyramid->first_level + pyramid->level_count - 1];
+  return with_reader(level.coding, [&](const auto& read) { return read(level.texels, 0); });
 }
 
 Vec4f TextureSet::texel(ImageId image, bool colour, std::uint32_t x, std::uint32_t y) const {
-  const TextureImage& source = images_[static_cast<std::size_t>(image)];
-  const Level level{texels_.data() + source.offset, static_cast<std::int32_t>(source.width),
-                    static_cast<std::int32_t>(source.height)};
-  return fetch(source.format, colour, level, static_cast<std::int32_t>(x),
-               static_cast<std::int32_t>(y));
+  const MipLevel level = whole_image(static_cast<std::size_t>(image), colour);
+  const std::size_t index = std::size_t{y} * static_cast<std::size_t>(level.width) + x;
+  return with_reader(level.coding, [&](const auto& read) { return read(level.texels, index); });
 }
 
 std::size_t TextureSet::memory_bytes() const {

@@ -52,6 +52,42 @@ std::string temporary_name(const std::string& path, int number) {
                      number);
 }
 
+std::string descriptor_path(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+// A file in the target's folder that has no name yet, and so is gone with the process however that
+// ends. -1 where the file system has no such files or they cannot be given a name later.
+int open_nameless(const std::string& path) {
+  const int descriptor =
+      ::open(folder_of(path).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, kNewFileMode);
+  if (descriptor >= 0 && ::access(descriptor_path(descriptor).c_str(), F_OK) != 0) {
+    ::close(descriptor);
+    return -1;
+  }
+  return descriptor;
+}
+
+// Opens, or makes out of `nameless`, a file that did not exist: its name, and its descriptor if it
+// was opened.
+struct Named {
+  std::string name;
+  int descriptor = -1;
+};
+Expected<Named> make_temporary(const std::string& path, int nameless) {
+  for (int i = 0; i < kNameTries; ++i) {
+    Named file{temporary_name(path, i), -1};
+    if (nameless < 0) {
+      const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+      file.descriptor = ::open(file.name.c_str(), flags, kNewFileMode);
+      if (file.descriptor >= 0) return file;
+    } else if (::linkat(AT_FDCWD, descriptor_path(nameless).c_str(), AT_FDCWD, file.name.c_str(),
+                        AT_SYMLINK_FOLLOW) == 0) {
+      return file;
+    }
+    if (errno != EEXIST) return creation_failed(path, errno);
+  }
+  return creation_failed(path, EEXIST);
+}
+
 Status sync_folder(const std::string& path) {
   const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return {};  // a folder one may write but not read: the rename stands anyway
@@ -65,13 +101,14 @@ Status sync_folder(const std::string& path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path, std::string temporary, int descriptor)
-    : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+AtomicFile::AtomicFile(std::string path, int descriptor, bool in_place)
+    : path_(std::move(path)), descriptor_(descriptor), in_place_(in_place) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::exchange(other.temporary_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      in_place_(other.in_place_) {}
 
 AtomicFile::~AtomicFile() { discard(); }
 
@@ -82,7 +119,7 @@ Expected<AtomicFile> AtomicFile::create(const std::string& path) {
   // Renaming needs no permission to write the file it replaces, so ask for it by opening.
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) return creation_failed(path, errno);
-  if (!S_ISREG(status.st_mode)) return AtomicFile(path, {}, descriptor);
+  if (!S_ISREG(status.st_mode)) return AtomicFile(path, descriptor, true);
   ::close(descriptor);
   return create_temporary(path, status.st_mode & kPermissions);
 }
@@ -91,20 +128,17 @@ Expected<AtomicFile> AtomicFile::create_temporary(const std::string& given_path,
                                                   std::optional<mode_t> permissions) {
   const auto path = resolve_links(given_path);
   if (!path) return tl::unexpected(path.error());
-  for (int i = 0; i < kNameTries; ++i) {
-    std::string temporary = temporary_name(*path, i);
-    const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-    const int descriptor = ::open(temporary.c_str(), flags, kNewFileMode);
-    if (descriptor >= 0) {
-      AtomicFile file(*path, std::move(temporary), descriptor);
-      if (permissions && ::fchmod(descriptor, *permissions) != 0) {
-        return creation_failed(*path, errno);
-      }
-      return file;
-    }
-    if (errno != EEXIST) return creation_failed(*path, errno);
+  AtomicFile file(*path, open_nameless(*path), false);
+  if (file.descriptor_ < 0) {
+    auto named = make_temporary(*path, -1);
+    if (!named) return tl::unexpected(named.error());
+    file.temporary_ = std::move(named->name);
+    file.descriptor_ = named->descriptor;
   }
-  return creation_failed(*path, EEXIST);
+  if (permissions && ::fchmod(file.descriptor_, *permissions) != 0) {
+    return creation_failed(*path, errno);
+  }
+  return file;
 }
 
 Status AtomicFile::write(std::span<const std::byte> bytes) {
@@ -118,10 +152,16 @@ Status AtomicFile::write(std::span<const std::byte> bytes) {
 }
 
 Status AtomicFile::commit() {
-  const bool in_place = temporary_.empty();
-  if (!in_place && ::fsync(descriptor_) != 0) return writing_failed(path_, errno);
+  if (!in_place_) {
+    if (::fsync(descriptor_) != 0) return writing_failed(path_, errno);
+    if (temporary_.empty()) {
+      auto named = make_temporary(path_, descriptor_);
+      if (!named) return tl::unexpected(named.error());
+      temporary_ = std::move(named->name);
+    }
+  }
   if (::close(std::exchange(descriptor_, -1)) != 0) return writing_failed(path_, errno);
-  if (in_place) return {};
+  if (in_place_) return {};
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) return creation_failed(path_, errno);
   temporary_.clear();
   return sync_folder(path_);

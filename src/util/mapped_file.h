@@ -14,6 +14,8 @@ namespace dapple {
 class MappedFile {
  public:
   [[nodiscard]] static Expected<MappedFile> open(const std::string& path);
+  // A copy of the file in memory, sealed: what others do to the file then no longer matters.
+  [[nodiscard]] static Expected<MappedFile> open_copy(const std::string& path);
   // Of an open file, which stays open; `path` is its name in errors.
   [[nodiscard]] static Expected<MappedFile> map(int descriptor, const std::string& path);
 

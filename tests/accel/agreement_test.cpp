@@ -98,7 +98,8 @@ TEST_P(Agreement, OverNastyScenes) {
     const std::uint64_t seed = GetParam() * kScenesPerShard + i;
     const NastyConfig config = nasty_config(seed);
     const Scene scene = nasty_scene(config, seed);
-    ASSERT_TRUE(validate(SceneView(scene))) << "seed " << seed;
+    const auto valid = validate(SceneView(scene));
+    ASSERT_TRUE(valid) << "seed " << seed << ": " << to_string(valid.error());
     const auto rays = nasty_rays(scene, config, kRaysPerScene, seed);
     expect_all_agree(scene, rays, "scene of seed " + std::to_string(seed));
     for (const std::uint8_t hit :
@@ -119,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Shards, Agreement, ::testing::Range(std::size_t{0}, kSh
 TEST(AgreementOfLargeScenes, OverManyObjects) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     NastyConfig config = nasty_config(9000 + seed);
-    config.shapes = static_cast<Shapes>(seed % 3);
+    config.shapes = static_cast<Shapes>(seed % kShapesCount);
     config.object_count = 30'000;
     config.size = 100;
     config.distance = seed < 3 ? 0 : 1000;

@@ -15,8 +15,14 @@ std::string good_value(const OptionInfo& option) {
   switch (option.kind) {
     case ValueKind::integer:
       return std::to_string(option.high);
+    case ValueKind::integers:
+      return std::to_string(option.high) + "," + std::to_string(option.low);
     case ValueKind::number:
       return "0.25";
+    case ValueKind::real:
+      return "-0.25";
+    case ValueKind::triple:
+      return "1,-2.5,3";
     case ValueKind::choice:
       return std::string(option.choices.back());
     default:
@@ -30,8 +36,14 @@ std::vector<std::string> bad_values(const OptionInfo& option) {
       return {
           "x",   "12x", "1e3", "+5", " 5", "1.5", "99999999999999999999", "-9223372036854775808",
           "0x10"};
+    case ValueKind::integers:
+      return {"x", "1,", ",1", "1,,2", "1, 2", "1;2", "1,x", std::to_string(option.high + 1)};
     case ValueKind::number:
       return {"x", "-1", "nan", "inf", "1,5", " 1", "-0", "1e999"};
+    case ValueKind::real:
+      return {"x", "nan", "inf", "1,5", " 1", "1e999"};
+    case ValueKind::triple:
+      return {"x", "1,2", "1,2,3,4", "1,2,nan", "1,,3", "1, 2, 3"};
     case ValueKind::choice:
       return {"no-such-choice", "LINEAR", " "};
     default:

@@ -132,6 +132,107 @@ TEST(DescribeScene, PrintsTheOtherShapesAndMaterials) {
             "    material=dielectric(ref_idx=1.500000)\n");
 }
 
+// Two triangles in the world around a sphere, and two instances of a third.
+Scene scene_with_meshes() {
+  Scene scene;
+  scene.layered_materials.resize(1);
+  scene.layered_materials[0].metallic = 1;
+  scene.layered_materials[0].clearcoat = 0.5f;
+  scene.layered_materials[0].map(MapUse::normal).texture = TextureId{0};
+  const MaterialId paint = scene.add_material(Layered{0});
+  const MaterialId chalk = scene.add_material(Lambertian{{0.5, 0.5, 0.5}});
+  scene.vertices.positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
+  scene.add_triangle({{0, 1, 2}}, chalk);
+  scene.add_triangle({{0, 1, 3}}, paint);
+  scene.add_sphere({{1, 2, 3}, 4}, chalk);
+  scene.add_cylinder({{0, 0, 0}, {0, 1, 0}, 0.5}, chalk);
+  scene.add_prototype(std::vector<Triangle>{{{1, 2, 3}}}, std::vector{paint});
+  scene.add_instance({});
+  scene.add_instance({Transformf{{{1, 0, 0, 5}, {0, 1, 0, 6}, {0, 0, 1, 7}}}, 0});
+  scene.images = {{1, 1, TexelFormat::rgba8, 0, 0}};
+  scene.texels.resize(4);
+  scene.textures.resize(1);
+  scene.textures[0].image = ImageId{0};
+  scene.lights.resize(1);
+  scene.environment.kind = EnvironmentKind::studio;
+  scene.cameras.resize(1);
+  scene.cameras[0].name = {'a', '"', 'b'};
+  EXPECT_TRUE(validate(scene));
+  return scene;
+}
+
+constexpr const char* kPaint =
+    "    material=layered(base_colour=(1.000000,1.000000,1.000000), metallic=1.000000, "
+    "roughness=1.000000, clearcoat=0.500000, normal_map=0)\n";
+constexpr const char* kChalk = "    material=lambertian(albedo=(0.500000,0.500000,0.500000))\n";
+
+TEST(DescribeScene, TrianglesThatFollowEachOtherAreOneMesh) {
+  const std::string expected =
+      std::string(
+          "mesh\n"
+          "    triangles=2\n"
+          "    lo=(0.000000,0.000000,0.000000)\n"
+          "    hi=(1.000000,2.000000,3.000000)\n") +
+      kChalk + kPaint +
+      "sphere\n"
+      "    centre=(1.000000,2.000000,3.000000)\n" +
+      kChalk +
+      "cylinder\n"
+      "    begin=(0.000000,0.000000,0.000000)\n"
+      "    end=(0.000000,1.000000,0.000000)\n"
+      "    radius=0.500000\n" +
+      kChalk +
+      "instance\n"
+      "    prototype=0\n"
+      "    triangles=1\n"
+      "    to_world=((1.000000,0.000000,0.000000,0.000000),(0.000000,1.000000,0.000000,0.000000),"
+      "(0.000000,0.000000,1.000000,0.000000))\n"
+      "instance\n"
+      "    prototype=0\n"
+      "    triangles=1\n"
+      "    to_world=((1.000000,0.000000,0.000000,5.000000),(0.000000,1.000000,0.000000,6.000000),"
+      "(0.000000,0.000000,1.000000,7.000000))\n";
+  EXPECT_EQ(text_of(scene_with_meshes(), DescribeDetail::objects), expected);
+}
+
+TEST(DescribeScene, FullSaysWhatElseIsThere) {
+  const std::string full = text_of(scene_with_meshes(), DescribeDetail::full);
+  for (const char* line :
+       {"    objects=6\n", "    triangle=3\n", "    vertices=4\n", "    prototypes=1\n",
+        "    bytes_per_triangle=32.0\n", "    bytes_per_instance=52.0\n",
+        "prototype 0\n    triangles=1\n", "texture 0\n    image=0\n    wrap=(repeat,repeat)\n",
+        "image 0\n    size=1x1\n    format=rgba8\n    bytes=4\n", "light\n    kind=point\n",
+        "environment\n    kind=studio\n", "camera a\"b\n    lookfrom="}) {
+    EXPECT_NE(full.find(line), std::string::npos) << line << "not in\n" << full;
+  }
+}
+
+TEST(DescribeJson, SaysEverythingButVertices) {
+  const nlohmann::json json = json_of(scene_with_meshes());
+  EXPECT_EQ(json["counts"]["triangle"], 3);
+  EXPECT_EQ(json["counts"]["objects"], 6);
+  EXPECT_EQ(json["counts"]["bytes_per_instance"], 52);
+  EXPECT_EQ(json["objects"].size(), 5u);
+  EXPECT_EQ(json["objects"][0]["type"], "mesh");
+  EXPECT_EQ(json["objects"][0]["triangles"], 2);
+  EXPECT_EQ(json["objects"][0]["materials"], nlohmann::json({1, 0}));
+  EXPECT_EQ(json["objects"][0]["hi"], nlohmann::json({1, 2, 3}));
+  EXPECT_EQ(json["objects"][4]["to_world"][1], nlohmann::json({0, 1, 0, 6}));
+  EXPECT_EQ(json["prototypes"][0]["first_triangle"], 2);
+  EXPECT_EQ(json["materials"][0], nlohmann::json({{"type", "layered"}, {"index", 0}}));
+  const auto& paint = json["layered_materials"][0];
+  EXPECT_EQ(paint["clearcoat"], 0.5);
+  EXPECT_EQ(paint["attenuation_distance"], nullptr);
+  EXPECT_EQ(paint["maps"]["normal"]["texture"], 0);
+  EXPECT_EQ(paint["maps"].size(), 1u);
+  EXPECT_EQ(json["textures"][0]["wrap_u"], "repeat");
+  EXPECT_EQ(json["images"][0]["bytes"], 4);
+  EXPECT_EQ(json["lights"][0]["kind"], "point");
+  EXPECT_EQ(json["environment"]["kind"], "studio");
+  EXPECT_EQ(json["cameras"][0]["name"], "a\"b");
+  EXPECT_EQ(json["cameras"][0]["camera"]["orthographic_height"], 0);
+}
+
 // Doubles with nothing round about them, negative zero and the smallest ones included.
 class RandomNumbers {
  public:

@@ -60,6 +60,13 @@ TEST(ToneMaps, ExposureCountsInStops) {
   EXPECT_EQ(image.pixels[0], Vec3f(0.4f, 0.8f, 0.2f));
 }
 
+TEST(ToneMaps, AutomaticExposureBringsTheMeanToMiddleGrey) {
+  Image image(3, 1);
+  image.pixels = {{40, 40, 40}, {0, 0, 0}, {10, 10, 10}};  // geometric mean 20, black left out
+  EXPECT_NEAR(automatic_exposure(image), std::log2(0.18 / 20), 1e-5);
+  EXPECT_EQ(automatic_exposure(Image(4, 4)), 0);
+}
+
 TEST(ToneMaps, AlphaCoversMappedColours) {
   Image image(2, 1);
   const Vec3f colour(3, 1, 0.2f);

@@ -119,6 +119,54 @@ TEST(Determinism, AnyCutIntoPiecesInAnyOrderGivesThePicture) {
   }
 }
 
+// Everything that the transport of models decides by random numbers: lights of all kinds, glass
+// with an absorbing and scattering inside, veils, rough metal.
+Scene lit_scene() {
+  Scene scene = make_named_scene("nice").value();
+  const auto add = [&](const LayeredMaterial& material) {
+    scene.layered_materials.push_back(material);
+    return scene.add_material(
+        Layered{static_cast<std::uint32_t>(scene.layered_materials.size() - 1)});
+  };
+  LayeredMaterial glass, veil, metal, lamp;
+  glass.transmission = 1;
+  glass.roughness = 0.2f;
+  glass.thickness = 1;
+  glass.attenuation_distance = 1;
+  glass.attenuation_colour = {0.3f, 0.9f, 0.5f};
+  glass.scattering = {0.2f, 0.1f, 0.3f};
+  veil.alpha = 0.4f;
+  veil.alpha_mode = AlphaMode::blend;
+  metal.metallic = 1;
+  metal.roughness = 0.3f;
+  metal.clearcoat = 0.5f;
+  metal.anisotropy = 0.5f;
+  lamp.emission = {4, 3, 2};
+  scene.add_sphere({{-1, -1, -3}, 1.5}, add(glass));
+  scene.add_sphere({{2, -2, -2}, 1}, add(metal));
+  scene.add_sphere({{0, 3, -4}, 0.5}, add(lamp));
+  scene.add_rectangle(ShapeKind::xy_rectangle, {-2, 1, -3, 0, -1}, add(veil));
+  scene.lights.push_back({LightKind::point, {0, 2, 0}, {0, 0, -1}, {3, 3, 3}, 0, 0});
+  scene.environment.kind = EnvironmentKind::studio;
+  return scene;
+}
+
+TEST(Determinism, PicturesOfModelsToo) {
+  const Scene scene = lit_scene();
+  set_thread_count(1);
+  const Image expected = picture(scene, AccelKind::linear, small_picture());
+  for (const int threads : {2, 3, 7}) {
+    set_thread_count(threads);
+    EXPECT_EQ(picture(scene, AccelKind::fast, small_picture()).pixels, expected.pixels) << threads;
+  }
+  for (const std::string_view isa : available_isas()) {
+    ASSERT_TRUE(force_isa(isa));
+    EXPECT_EQ(picture(scene, AccelKind::fast, small_picture()).pixels, expected.pixels) << isa;
+  }
+  ASSERT_TRUE(force_isa(available_isas().front()));
+  set_thread_count(0);
+}
+
 // A picture of more samples begins with those of a smaller one: what was rendered once can be
 // continued.
 TEST(Determinism, MoreSamplesContinueThePicture) {

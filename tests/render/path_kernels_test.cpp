@@ -101,11 +101,37 @@ Scene random_scene(std::mt19937_64& random, int object_count, int material_count
     const Vec3d at = {around(random), around(random), around(random)};
     const double r = size(random);
     const MaterialId material = materials[random() % materials.size()];
-    const auto kind = static_cast<ShapeKind>(random() % (1 + kRectangleKindCount));
+    const auto kind = static_cast<ShapeKind>(random() % (3 + kRectangleKindCount));
     if (kind == ShapeKind::sphere) {
       scene.add_sphere({at, random() % 4 == 0 ? -r : r}, material);
+    } else if (kind == ShapeKind::triangle) {
+      Triangle triangle;
+      for (std::uint32_t& vertex : triangle.vertices) {
+        vertex = static_cast<std::uint32_t>(scene.vertices.positions.size());
+        const Vec3d corner = {at.x + size(random), at.y - size(random), at.z + size(random)};
+        scene.vertices.positions.push_back(Vec3f(corner));
+      }
+      scene.add_triangle(triangle, material);
+    } else if (kind == ShapeKind::cylinder) {
+      scene.add_cylinder({at, {at.x + r, at.y, at.z - r}, 0.3 * r}, material);
     } else {
       scene.add_rectangle(kind, {at.x - r, at.x + r, at.y - r, at.y + r, at.z}, material);
+    }
+  }
+  if (object_count > 10) {
+    scene.vertices.positions.insert(scene.vertices.positions.end(),
+                                    {{0, 0, 0}, {2, 0, 0}, {0, 2, 1}, {-1, 0.5f, 2}});
+    const auto first = static_cast<std::uint32_t>(scene.vertices.positions.size() - 4);
+    const Triangle triangles[] = {{{first, first + 1, first + 2}}, {{first, first + 2, first + 3}}};
+    const MaterialId of_triangles[] = {materials.front(), materials.back()};
+    Instance instance;
+    instance.prototype = scene.add_prototype(triangles, of_triangles);
+    for (int i = 0; i < object_count / 4; ++i) {
+      for (auto& row : instance.to_world.rows) {
+        for (float& number : row) number = static_cast<float>(around(random)) / 10;
+        row[3] *= 10;
+      }
+      scene.add_instance(instance);
     }
   }
   return scene;

@@ -12,12 +12,12 @@ PictureStatistics rendered_picture(const Scene& scene, const RenderSettings& set
   const Tile whole{0, 0, settings.width, settings.height};
   PictureStatistics picture(settings.width, settings.height);
   for (int sample = 0; sample < settings.samples_per_pixel; ++sample) {
-    TileSums sums(whole);
-    paths.render({sample, sample + 1}, sums);
+    TileOutput output{TileSums(whole), std::nullopt};
+    paths.render({sample, sample + 1}, output);
     for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {
       Channels value;
       for (std::size_t c = 0; c < 3; ++c) {
-        value[c] = static_cast<double>(sums.sums()[pixel][c]) / double{kFilmStepsPerUnit};
+        value[c] = static_cast<double>(output.colour.sums()[pixel][c]) / double{kFilmStepsPerUnit};
       }
       picture.add(pixel, value);
     }

@@ -9,11 +9,18 @@
 #include "scene/named_scenes.h"
 #include "scene/validate.h"
 #include "scene_file/verify.h"
+#include "tests/scene_file/random_model.h"
 #include "tests/scene_file/scene_bytes.h"
 #include "tests/scene_file/small_bvh.h"
 
 namespace dapple {
 namespace {
+
+// A named scene, or `model:SEED`, one that has everything.
+Scene scene_of(const std::string& name) {
+  if (name.starts_with("model:")) return test::random_model(std::stoul(name.substr(6)));
+  return *make_named_scene(name);
+}
 
 struct Case {
   const char* scene;
@@ -28,10 +35,12 @@ void PrintTo(const Case& test_case, std::ostream* out) {
 class Damage : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    scene_ = *make_named_scene(GetParam().scene);
-    bvh_ = test::build_small_bvh(scene_, 16, 16);
+    scene_ = scene_of(GetParam().scene);
     view_ = scene_;
-    if (GetParam().with_bvh) view_.bvh = bvh_.view();
+    if (GetParam().with_bvh) {
+      bvh_ = test::build_small_bvh(scene_, 16, 16);
+      view_.bvh = bvh_.view();
+    }
     file_ = test::scene_bytes(view_);
   }
   std::size_t step() const {
@@ -92,11 +101,12 @@ INSTANTIATE_TEST_SUITE_P(NamedScenes, Damage,
                          testing::Values(Case{"empty", false, 1}, Case{"nice", false, 1},
                                          Case{"nice", true, 1}, Case{"rgbbox", false, 1},
                                          Case{"rgbbox", true, 5}, Case{"irreg", false, 229},
-                                         Case{"irreg", true, 487},
-                                         Case{"spheres:5000", true, 4999}),
+                                         Case{"irreg", true, 487}, Case{"spheres:5000", true, 4999},
+                                         Case{"model:4", false, 3}, Case{"model:5", false, 3},
+                                         Case{"model:6", false, 3}, Case{"model:7", false, 3}),
                          [](const auto& test_case) {
                            std::string name = test_case.param.scene;
-                           name.resize(std::min(name.find(':'), name.size()));
+                           std::replace(name.begin(), name.end(), ':', '_');
                            return name + (test_case.param.with_bvh ? "_with_bvh" : "");
                          });
 

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "scene/layered_fields.h"
 #include "scene/named_scenes.h"
 #include "scene_file/format.h"
 #include "scene_file/section_table.h"
@@ -53,6 +54,33 @@ TEST(FormatDocument, NamesEverySectionWithItsStride) {
     });
     EXPECT_TRUE(found) << name << " " << stride << " " << critical;
   }
+}
+
+// Where a field of a layered material lies, read from the struct itself.
+template <class Member>
+std::size_t offset_of(Member LayeredMaterial::*member) {
+  static const LayeredMaterial material;
+  return static_cast<std::size_t>(reinterpret_cast<const char*>(&(material.*member)) -
+                                  reinterpret_cast<const char*>(&material));
+}
+
+TEST(FormatDocument, PlacesEveryFieldOfALayeredMaterial) {
+  const auto lines = lines_of_document();
+  const auto expect_row = [&](std::size_t offset, std::string_view type, std::string_view name) {
+    const std::string row = fmt::format("| {} | {} | {} |", offset, type, name);
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+      return line.starts_with(row);
+    })) << row;
+  };
+  for (const LayeredNumber& n : layered_numbers()) expect_row(offset_of(n.member), "f32", n.name);
+  for (const LayeredColour& c : layered_colours()) {
+    expect_row(offset_of(c.member), "f32[3]", c.name);
+  }
+  expect_row(offset_of(&LayeredMaterial::model), "u32", "model");
+  expect_row(offset_of(&LayeredMaterial::alpha_mode), "u32", "alpha_mode");
+  expect_row(offset_of(&LayeredMaterial::unlit), "u32", "unlit");
+  expect_row(offset_of(&LayeredMaterial::double_sided), "u32", "double_sided");
+  expect_row(offset_of(&LayeredMaterial::maps), "slot[18]", "maps");
 }
 
 TEST(FormatDocument, HasTheVersionInItsHistory) {

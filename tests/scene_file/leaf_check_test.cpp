@@ -16,7 +16,7 @@ constexpr std::uint32_t kIdCount = 1000;
 
 struct RandomLeaf {
   ShapeKind kind = ShapeKind::sphere;
-  std::array<LeafRow, 6> rows{};
+  std::array<LeafRow, kMaxLeafRows> rows{};
   std::size_t count = 0;
 };
 
@@ -24,7 +24,7 @@ struct RandomLeaf {
 RandomLeaf random_leaf(std::uint32_t seed) {
   RandomLeaf leaf;
   const auto pick = philox4x32({seed, 0, 0, 1}, 7);
-  leaf.kind = static_cast<ShapeKind>(pick[0] % (1 + kRectangleKindCount));
+  leaf.kind = static_cast<ShapeKind>(pick[0] % kShapeKindCount);
   leaf.count = 1 + pick[1] % kLeafWidth;
   clear_leaf(leaf.kind, leaf.rows.data());
   for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {

@@ -1,41 +1,9 @@
 #include "tests/scene_file/random_scene.h"
 
-#include <cmath>
-
-#include "math/random.h"
+#include "tests/scene_file/random_numbers.h"
 
 namespace dapple::test {
 namespace {
-
-class Numbers {
- public:
-  explicit Numbers(std::uint64_t seed) : seed_(seed) {}
-
-  std::uint32_t below(std::uint32_t n) { return philox4x32({next_++, 0, 0, 0}, seed_)[0] % n; }
-  double unit() { return below(1u << 30) * 0x1p-30; }
-  double coordinate() {
-    switch (below(8)) {
-      case 0:
-        return 0.0;
-      case 1:
-        return -0.0;
-      case 2:
-        return 5e-324;
-      case 3:
-        return -1e18;
-      case 4:
-        return std::ldexp(unit() - 0.5, static_cast<int>(below(110)) - 50);
-      default:
-        return 200 * unit() - 100;
-    }
-  }
-  Vec3d point() { return {coordinate(), coordinate(), coordinate()}; }
-  Vec3d colour() { return {unit(), unit(), unit()}; }
-
- private:
-  std::uint64_t seed_;
-  std::uint32_t next_ = 0;
-};
 
 Material random_material(Numbers& numbers) {
   switch (numbers.below(3)) {

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "parallel/parallel.h"
 #include "scene/named_scenes.h"
+#include "scene/scene_arrays.h"
 #include "scene_file/verify.h"
 #include "scene_file/writer.h"
+#include "tests/scene_file/random_model.h"
 #include "tests/scene_file/random_scene.h"
 #include "tests/scene_file/scene_bytes.h"
 #include "tests/scene_file/small_bvh.h"
@@ -28,6 +31,42 @@ TEST(RoundTrip, RandomScenes) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     expect_round_trip(test::random_scene(seed, seed * seed % 97));
   }
+}
+
+TEST(RoundTrip, RandomModels) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    expect_round_trip(test::random_model(seed));
+  }
+}
+
+// So that the tests of random models are tests of every array.
+TEST(RoundTrip, RandomModelsHaveEverything) {
+  std::array<std::size_t, kSceneArrayCount> scenes_with{};
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Scene scene = test::random_model(seed);
+    for_each_array(
+        [&](SceneArray array, const auto& elements) {
+          scenes_with[static_cast<std::size_t>(array)] += elements.empty() ? 0 : 1;
+        },
+        scene);
+  }
+  for (std::size_t i = 0; i < kSceneArrayCount; ++i) {
+    EXPECT_GT(scenes_with[i], 20u) << element_name(static_cast<SceneArray>(i));
+  }
+}
+
+TEST(RoundTrip, ACopyOfAViewIsTheScene) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Scene scene = test::random_model(seed);
+    EXPECT_TRUE(copy_of(scene) == scene);
+    EXPECT_TRUE(test::same_scene(copy_of(scene), scene));
+  }
+}
+
+TEST(RoundTrip, AttributesOfManyChunks) {
+  // Elements of 12 bytes lie across the ends of the pieces in which sections are hashed.
+  const Scene scene = test::large_mesh(300);
+  expect_round_trip(scene);
 }
 
 TEST(RoundTrip, RandomScenesWithTreesOfAllShapes) {

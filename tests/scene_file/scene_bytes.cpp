@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/scene_arrays.h"
 #include "scene_file/records.h"
 #include "scene_file/section_hash.h"
 #include "scene_file/writer.h"
@@ -102,15 +103,13 @@ bool same_records(std::span<const T> a, std::span<const T> b) {
 }  // namespace
 
 bool same_scene(const SceneView& a, const SceneView& b) {
-  bool same = same_records(std::span(&a.camera, 1), std::span(&b.camera, 1)) &&
+  bool same = same_bits(std::span(&a.camera, 1), std::span(&b.camera, 1)) &&
               same_records(a.materials, b.materials) && same_records(a.runs, b.runs) &&
-              same_bits(a.spheres, b.spheres) &&
-              same_bits(a.sphere_materials, b.sphere_materials) &&
+              same_bits(std::span(&a.environment, 1), std::span(&b.environment, 1)) &&
               same_bits(a.bvh.nodes, b.bvh.nodes) && same_bits(a.bvh.rows, b.bvh.rows);
-  for (std::size_t i = 0; i < kRectangleKindCount; ++i) {
-    same = same && same_bits(a.rectangles[i], b.rectangles[i]) &&
-           same_bits(a.rectangle_materials[i], b.rectangle_materials[i]);
-  }
+  for_each_array(
+      [&](SceneArray, const auto& of_a, const auto& of_b) { same = same && same_bits(of_a, of_b); },
+      a, b);
   return same;
 }
 

@@ -14,16 +14,26 @@ struct Prim {
   Bounds3f box;
 };
 
-std::vector<Prim> prims_of(const SceneView& scene) {
+std::vector<Prim> prims_of_world(const SceneView& scene, const PrototypeBoxes& prototypes) {
   std::vector<Prim> prims;
+  const auto first_ids = first_prim_ids(scene);
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
     const auto kind = static_cast<ShapeKind>(k);
-    for (std::size_t i = 0; i < scene.count(kind); ++i) {
-      const Bounds3f box = kind == ShapeKind::sphere
-                               ? sphere_bounds(scene.spheres[i])
-                               : rectangle_bounds(kind, scene.rectangles[rectangle_index(kind)][i]);
-      prims.push_back({kind, i, static_cast<PrimId>(prims.size()), box});
+    for (std::size_t i = 0; i < scene.object_count(kind); ++i) {
+      const Bounds3f box = shape_bounds(scene, prototypes, kind, i);
+      prims.push_back({kind, i, static_cast<PrimId>(first_ids[k] + i), box});
     }
+  }
+  return prims;
+}
+
+std::vector<Prim> prims_of(const SceneView& scene, const Prototype& prototype) {
+  std::vector<Prim> prims;
+  const std::size_t first = first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::triangle)];
+  for (std::size_t i = 0; i < prototype.triangle_count; ++i) {
+    const std::size_t index = prototype.first_triangle + i;
+    prims.push_back({ShapeKind::triangle, index, static_cast<PrimId>(first + index),
+                     triangle_bounds(scene, scene.triangles[index])});
   }
   return prims;
 }
@@ -33,12 +43,18 @@ using Range = std::span<Prim>;
 class Builder {
  public:
   Builder(const SceneView& scene, std::size_t max_children, std::size_t max_leaf)
-      : scene_(scene), max_children_(max_children), max_leaf_(max_leaf) {}
+      : scene_(scene),
+        boxes_(prototype_boxes(scene)),
+        max_children_(max_children),
+        max_leaf_(max_leaf) {}
 
   SmallBvh build() {
-    std::vector<Prim> prims = prims_of(scene_);
-    if (prims.empty()) return {};
-    build_node(prims, 0);
+    std::vector<Prim> prims = prims_of_world(scene_, boxes_);
+    if (!prims.empty()) build_node(prims, 0);
+    for (const Prototype& prototype : scene_.prototypes) {
+      prims = prims_of(scene_, prototype);
+      if (!prims.empty()) build_node(prims, 0);
+    }
     return std::move(bvh_);
   }
 
@@ -72,7 +88,7 @@ class Builder {
     bvh_.rows.resize(first_row + leaf_rows(kind));
     clear_leaf(kind, &bvh_.rows[first_row]);
     for (std::size_t i = 0; i < prims.size(); ++i) {
-      write_lane(scene_, kind, prims[i].index, prims[i].id, &bvh_.rows[first_row], i);
+      write_lane(scene_, boxes_, kind, prims[i].index, prims[i].id, &bvh_.rows[first_row], i);
     }
     return ChildRef::leaf(kind, first_row);
   }
@@ -110,6 +126,7 @@ class Builder {
   }
 
   const SceneView& scene_;
+  PrototypeBoxes boxes_;
   std::size_t max_children_;
   std::size_t max_leaf_;
   SmallBvh bvh_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "scene/validate.h"
+
 namespace dapple::test {
 namespace {
 
@@ -12,7 +14,12 @@ class Maker {
 
   Scene make() {
     material_ = scene_.add_material(Lambertian{{0.5, 0.5, 0.5}});
-    for (std::size_t i = 0; i < config_.object_count; ++i) add_object();
+    const bool with_instances =
+        config_.shapes == Shapes::everything || config_.shapes == Shapes::instances;
+    const std::size_t instances = with_instances ? (config_.object_count + 2) / 3 : 0;
+    for (std::size_t i = 0; i < config_.object_count - instances; ++i) add_object();
+    if (instances > 0) add_prototypes();
+    for (std::size_t i = 0; i < instances; ++i) add_instance();
     return scene_;
   }
 
@@ -37,9 +44,105 @@ class Maker {
 
   void add_object() {
     odd_ = between(0, 1) < config_.odd_share;
-    const bool sphere =
-        config_.shapes == Shapes::spheres || (config_.shapes == Shapes::mixture && pick(2) == 0);
-    sphere ? add_sphere() : add_rectangle();
+    switch (config_.shapes) {
+      case Shapes::spheres:
+        return add_sphere();
+      case Shapes::rectangles:
+        return add_rectangle();
+      case Shapes::mixture:
+        return pick(2) == 0 ? add_sphere() : add_rectangle();
+      case Shapes::triangles:
+        return add_triangle();
+      case Shapes::everything:
+      case Shapes::instances:
+        break;
+    }
+    const int kind = pick(5);
+    if (kind == 0) return add_sphere();
+    if (kind == 1) return add_rectangle();
+    if (kind == 2) return add_cylinder();
+    add_triangle();
+  }
+
+  void add_cylinder() {
+    const Vec3d a(coordinate(), coordinate(), coordinate());
+    Cylinder c{a, a + step(), 0.3 * extent()};
+    if (odd_) {
+      const int what = pick(4);
+      if (what == 0) c.end = c.begin;
+      if (what == 1) c.end = {a.x, a.y, a.z + extent()};  // along an axis
+      if (what == 2 && !scene_.cylinders.empty()) c = scene_.cylinders.back();
+    }
+    scene_.add_cylinder(c, material_);
+  }
+
+  // Of triangles like those of the world.
+  void add_prototypes() {
+    for (const std::size_t count : {1u, 2u, 20u, 70u}) {
+      Scene world = scene_;
+      scene_.triangles.clear();
+      scene_.triangle_materials.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        odd_ = between(0, 1) < config_.odd_share;
+        add_triangle();
+      }
+      world.vertices = scene_.vertices;
+      world.add_prototype(scene_.triangles, scene_.triangle_materials);
+      scene_ = world;
+    }
+  }
+
+  // Turned, scaled, sheared, mirrored, or nearly flat.
+  void add_instance() {
+    odd_ = between(0, 1) < config_.odd_share;
+    Instance instance;
+    instance.prototype = static_cast<std::uint32_t>(pick(4));
+    auto& rows = instance.to_world.rows;
+    const int what = odd_ ? pick(6) : 6;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        const double size = i == j ? (pick(3) == 0 ? -1 : 1) * between(0.3, 1) : between(-0.3, 0.3);
+        rows[i][j] = static_cast<float>(what == 0 ? (i == j) : what == 1 ? 1e-3 * size : size);
+      }
+      rows[i][3] = static_cast<float>(what == 0 ? 0 : config_.size * between(-1, 1));
+    }
+    if (what == 2) {
+      for (float& number : rows[2]) number *= 1e-6f;
+    }
+    if (what == 4 && !scene_.instances.empty()) instance = scene_.instances.back();
+    // The nearly flat may be too flat, or thrown too far by being turned back.
+    if (is_valid(instance.to_world)) scene_.add_instance(instance);
+  }
+
+  std::uint32_t add_vertex(const Vec3d& at) {
+    scene_.vertices.positions.push_back(Vec3f(at));
+    return static_cast<std::uint32_t>(scene_.vertices.positions.size() - 1);
+  }
+  Vec3d step() {
+    return {extent() * (pick(2) - 0.5), extent() * between(-1, 1), extent() * (pick(3) - 1)};
+  }
+
+  void add_triangle() {
+    const Vec3d a(coordinate(), coordinate(), coordinate());
+    const Vec3d b = a + step(), c = a + step();
+    Triangle t{{add_vertex(a), add_vertex(b), add_vertex(c)}};
+    if (!scene_.triangles.empty() && pick(2) == 0) {  // shares an edge, as in a mesh
+      const Triangle& earlier = some_triangle();
+      t.vertices[0] = earlier.vertices[1];
+      t.vertices[1] = earlier.vertices[0];
+    }
+    if (odd_) {
+      const int what = pick(5);
+      if (what == 0) t.vertices[2] = t.vertices[1];  // a line, or a point
+      if (what == 1) t.vertices[2] = add_vertex(0.5 * (a + b) + 1e-6 * step());  // a sliver
+      if (what == 2 && !scene_.triangles.empty()) t = some_triangle();
+      if (what == 3) t.vertices[2] = add_vertex(0.25 * a + 0.75 * b);
+    }
+    scene_.add_triangle(t, material_);
+  }
+  const Triangle& some_triangle() {
+    const auto count = static_cast<int>(scene_.triangles.size());
+    return scene_.triangles[static_cast<std::size_t>(pick(count))];
   }
 
   void add_sphere() {
@@ -113,6 +216,18 @@ class RayMaker {
 
   // A point on, in or at the corner of the box of some object.
   Vec3d point_of_object() {
+    if (!scene_.triangles.empty() && (scene_.runs.size() == 1 || pick(2) == 0)) {
+      const Vec3d at = point_of_triangle();
+      if (scene_.instances.empty() || pick(2) == 0) return at;
+      const auto count = static_cast<int>(scene_.instances.size());
+      return scene_.instances[static_cast<std::size_t>(pick(count))].to_world.point(at);
+    }
+    if (!scene_.cylinders.empty() && pick(3) == 0) {
+      const auto count = static_cast<int>(scene_.cylinders.size());
+      const Cylinder& c = scene_.cylinders[static_cast<std::size_t>(pick(count))];
+      const Vec3d off(between(-1, 1), between(-1, 1), between(-1, 1));
+      return c.begin + between(0, 1) * (c.end - c.begin) + c.radius * off;
+    }
     const bool sphere = !scene_.spheres.empty() && pick(2) == 0;
     if (sphere) {
       const Sphere& s =
@@ -135,6 +250,19 @@ class RayMaker {
     p[axes.v] = r.v0 + (r.v1 - r.v0) * (corner ? pick(2) : between(0, 1));
     p[axes.k] = r.k;
     return p;
+  }
+
+  // Inside, on an edge or at a vertex.
+  Vec3d point_of_triangle() {
+    const auto count = static_cast<int>(scene_.triangles.size());
+    const Triangle& t = scene_.triangles[static_cast<std::size_t>(pick(count))];
+    const auto vertex = [&](std::size_t i) {
+      return Vec3d(scene_.vertices.positions[t.vertices[i]]);
+    };
+    const int what = pick(4);
+    const double u = what == 0 ? 0 : what == 1 ? pick(2) : between(0, 1);
+    const double v = what == 2 ? 1 - u : between(0, 1 - u);
+    return (1 - u - v) * vertex(0) + u * vertex(1) + v * vertex(2);
   }
 
   // Components that are zero of either sign, or next to it.
@@ -181,7 +309,7 @@ NastyConfig nasty_config(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
   NastyConfig config;
-  config.shapes = static_cast<Shapes>(pick(3));
+  config.shapes = static_cast<Shapes>(pick(kShapesCount));
   config.object_count = kCounts[pick(8)];
   config.size = kSizes[pick(8)];
   config.distance = config.size * kDistances[pick(5)];

@@ -11,7 +11,8 @@
 
 namespace dapple::test {
 
-enum class Shapes { spheres, rectangles, mixture };
+enum class Shapes { spheres, rectangles, mixture, triangles, everything, instances };
+inline constexpr std::size_t kShapesCount = 6;
 
 struct NastyConfig {
   Shapes shapes = Shapes::mixture;

@@ -24,9 +24,23 @@ TEST(MappedFile, HoldsTheBytesOfTheFile) {
 TEST(MappedFile, AnEmptyFileHasNoBytes) {
   const TemporaryFolder folder;
   put_file(folder / "empty", "");
-  const auto file = MappedFile::open(folder / "empty");
-  ASSERT_TRUE(file);
-  EXPECT_TRUE(file->bytes().empty());
+  for (const auto& open : {MappedFile::open, MappedFile::open_copy}) {
+    const auto file = open(folder / "empty");
+    ASSERT_TRUE(file);
+    EXPECT_TRUE(file->bytes().empty());
+  }
+}
+
+TEST(MappedFile, ACopyStaysWhatItWas) {
+  const TemporaryFolder folder;
+  const std::string content(3'000'000, 'a');
+  put_file(folder / "file", content);
+  const auto copy = MappedFile::open_copy(folder / "file");
+  ASSERT_TRUE(copy);
+  put_file(folder / "file", "other content");
+  EXPECT_EQ(text_of(*copy), content);
+  std::filesystem::resize_file(folder / "file", 0);
+  EXPECT_EQ(text_of(*copy), content);
 }
 
 TEST(MappedFile, SurvivesMovesAndTheRemovalOfItsName) {
@@ -48,10 +62,12 @@ TEST(MappedFile, WhatIsNoRegularFileIsRefused) {
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   for (const std::string& path : {folder / "missing", folder / "pipe", folder.path(),
                                   std::string("/dev/zero"), std::string()}) {
-    const auto file = MappedFile::open(path);
-    ASSERT_FALSE(file) << path;
-    EXPECT_EQ(file.error().code, Errc::no_input) << path;
-    EXPECT_EQ(file.error().place, path);
+    for (const auto& open : {MappedFile::open, MappedFile::open_copy}) {
+      const auto file = open(path);
+      ASSERT_FALSE(file) << path;
+      EXPECT_EQ(file.error().code, Errc::no_input) << path;
+      EXPECT_EQ(file.error().place, path);
+    }
   }
 }
 

@@ -17,6 +17,7 @@ found() { # KIND NAME [COMPILER]
       printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$2" |
         "${3:-c++}" -x c++ -fsyntax-only - 2>/dev/null
       ;;
+    tex) kpsewhich "$2" >/dev/null 2>&1 ;;
     *) echo "packages.txt: unknown probe '$1'" >&2; exit 1 ;;
   esac
 }

@@ -8,22 +8,33 @@
 #include <vector>
 
 #include "accel/hit.h"
+#include "accel/placed_instance.h"
 #include "math/ray.h"
 #include "scene/wide_bvh.h"
 #include "util/error.h"
 
 namespace dapple {
 
-// Leaves that every ray is tested against, in the order of primitive ids.
-struct LinearView {
+// The instances of a scene as a structure keeps them.
+struct InstanceView {
+  std::span<const PlacedInstance> instances;
+  PrimId first_id = 0;
+};
+
+// Leaves that every ray is tested against. The content of an instance is the prototype's number.
+struct LinearView : InstanceView {
   std::span<const LeafRef> leaves;
+  std::span<const std::span<const LeafRef>> prototypes;
   const LeafRow* rows = nullptr;
 };
 
+// The tree of the world begins at node 0, that of an instance where its content says.
+struct WideView : InstanceView, WideBvhView {};
+
 struct KernelTable {
   std::string_view isa;  // "avx512", "avx2", "sse4", "ssse3" or "portable"
-  void (*intersect_wide)(const WideBvhView&, const Ray*, Hit*, std::size_t);
-  void (*occluded_wide)(const WideBvhView&, const Ray*, std::uint8_t*, std::size_t);
+  void (*intersect_wide)(const WideView&, const Ray*, Hit*, std::size_t);
+  void (*occluded_wide)(const WideView&, const Ray*, std::uint8_t*, std::size_t);
   void (*intersect_linear)(const LinearView&, const Ray*, Hit*, std::size_t);
   void (*occluded_linear)(const LinearView&, const Ray*, std::uint8_t*, std::size_t);
 };

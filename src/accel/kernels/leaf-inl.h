@@ -1,5 +1,6 @@
 // Whole leaves at once: the tests of intersect_scalar.h, operation for operation, on vectors.
 #include "accel/hit.h"
+#include "accel/intersect_cylinder.h"
 #include "accel/kernels/simd-inl.h"
 #include "scene/leaf.h"
 
@@ -86,9 +87,106 @@ HWY_INLINE LaneHits intersect_rectangles(const PreparedRay& ray, RectangleAxes a
   return {hn::And(hn::Ge(t, near), hn::Le(t, far)), t};
 }
 
+// A coordinate of a triangle's vertices in three rows, and its extent.
+HWY_INLINE FloatVec least_of(const LeafRow* leaf, std::size_t axis, std::size_t i) {
+  return hn::Min(hn::Min(load_row(leaf, axis, i), load_row(leaf, 3 + axis, i)),
+                 load_row(leaf, 6 + axis, i));
+}
+HWY_INLINE FloatVec greatest_of(const LeafRow* leaf, std::size_t axis, std::size_t i) {
+  return hn::Max(hn::Max(load_row(leaf, axis, i), load_row(leaf, 3 + axis, i)),
+                 load_row(leaf, 6 + axis, i));
+}
+
+// The own-box rule for the triangles that passed so far.
+HWY_INLINE LaneHits enter_triangle_boxes(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                         LaneHits hits, FloatVec t_max) {
+  FloatVec near = all(ray.t_min), far = all(Bounds3f::kInfinity);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto row = static_cast<std::size_t>(axis);
+    const FloatVec lo = least_of(leaf, row, i), hi = greatest_of(leaf, row, i);
+    const bool up = ray.inverse[axis] >= 0.0f;
+    near = hn::Max(near, meet(up ? lo : hi, ray, axis));
+    far = hn::Min(far, meet_far(up ? hi : lo, ray, axis));
+  }
+  const FloatVec t = hn::Max(hits.t, near);
+  const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
+  return {hn::And(hits.mask, inside), t};
+}
+
+// Vertices in a ray's own frame.
+struct SeenVertex {
+  FloatVec x, y, z;
+};
+
+HWY_INLINE SeenVertex see_vertex(const PreparedRay& ray, const LeafRow* leaf, std::size_t row,
+                                 std::size_t i) {
+  const std::uint32_t kz = ray.axis, kx = next_axis(kz), ky = next_axis(kx);
+  const FloatVec z = hn::Sub(load_row(leaf, row + kz, i), all(ray.origin[kz]));
+  const FloatVec x = hn::Sub(load_row(leaf, row + kx, i), all(ray.origin[kx]));
+  const FloatVec y = hn::Sub(load_row(leaf, row + ky, i), all(ray.origin[ky]));
+  return {hn::Sub(x, hn::Mul(all(ray.shear[0]), z)), hn::Sub(y, hn::Mul(all(ray.shear[1]), z)), z};
+}
+
+// Triangles [i, i + kLanes) of a leaf.
+HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                        float t_best) {
+  const Floats d;
+  const FloatVec zero = hn::Zero(d);
+  const SeenVertex a = see_vertex(ray, leaf, 0, i);
+  const SeenVertex b = see_vertex(ray, leaf, 3, i);
+  const SeenVertex c = see_vertex(ray, leaf, 6, i);
+  const FloatVec u0 = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
+  const FloatVec u1 = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
+  const FloatVec u2 = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
+  const FloatVec sum = hn::Add(hn::Add(u0, u1), u2);
+  const FloatMask inside = hn::Or(hn::Ge(hn::Min(hn::Min(u0, u1), u2), zero),
+                                  hn::Le(hn::Max(hn::Max(u0, u1), u2), zero));
+  FloatMask mask = hn::And(inside, hn::Gt(hn::Abs(sum), zero));
+  if (hn::AllFalse(d, mask)) return {mask, zero};
+  const FloatVec scale = hn::Div(all(1.0f), sum);
+  const FloatVec z =
+      hn::Add(hn::Add(hn::Mul(hn::Mul(u0, scale), a.z), hn::Mul(hn::Mul(u1, scale), b.z)),
+              hn::Mul(hn::Mul(u2, scale), c.z));
+  const FloatVec t = hn::Mul(z, all(ray.inverse[ray.axis]));
+  const FloatVec t_max = all(t_best);
+  mask = hn::And(mask, hn::And(hn::Ge(t, all(ray.t_min)), hn::Le(t, t_max)));
+  if (hn::AllFalse(d, mask)) return {mask, t};
+  return enter_triangle_boxes(ray, leaf, i, {mask, t}, t_max);
+}
+
+// Instances [i, i + kLanes) of a leaf: where the ray enters their boxes.
+HWY_INLINE LaneHits enter_instance_boxes(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                         float t_best) {
+  FloatVec near = all(ray.t_min), far = all(t_best);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto lo = static_cast<std::size_t>(axis), hi = lo + 3;
+    const bool up = ray.inverse[axis] >= 0.0f;
+    near = hn::Max(near, meet(load_row(leaf, up ? lo : hi, i), ray, axis));
+    far = hn::Min(far, meet_far(load_row(leaf, up ? hi : lo, i), ray, axis));
+  }
+  return {hn::Le(near, far), near};
+}
+
+// Cylinders [i, i + kLanes) of a leaf, one by one.
+HWY_INLINE LaneHits intersect_cylinders(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                        float t_best) {
+  const Floats d;
+  alignas(64) float t[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    float numbers[7];
+    for (std::size_t row = 0; row < 7; ++row) numbers[row] = load_float(leaf[row].words + i + lane);
+    const bool used = leaf[leaf_id_row(ShapeKind::cylinder)].words[i + lane] != kNoPrim;
+    t[lane] = used ? intersect_cylinder(ray, numbers, t_best) : -1.0f;
+  }
+  const FloatVec hit = hn::Load(d, t);
+  return {hn::Ge(hit, hn::Zero(d)), hit};
+}
+
 HWY_INLINE LaneHits intersect_lanes(const PreparedRay& ray, ShapeKind kind, const LeafRow* leaf,
                                     std::size_t i, float t_best) {
   if (HWY_LIKELY(kind == ShapeKind::sphere)) return intersect_spheres(ray, leaf, i, t_best);
+  if (HWY_LIKELY(kind == ShapeKind::triangle)) return intersect_triangles(ray, leaf, i, t_best);
+  if (kind == ShapeKind::cylinder) return intersect_cylinders(ray, leaf, i, t_best);
   return intersect_rectangles(ray, rectangle_axes(kind), leaf, i, t_best);
 }
 
@@ -104,27 +202,81 @@ HWY_INLINE void keep_best(LaneHits hits, LeafRef leaf, const LeafRow* rows, std:
   const std::size_t lane = i + static_cast<std::size_t>(__builtin_ctz(bits | 0x10000u)) % 16;
   const float t_nearest = hn::GetLane(nearest);
   const PrimId id = rows[leaf_id_row(leaf.kind())].words[lane];
-  if (t_nearest < best.t || (t_nearest == best.t && id < best.prim)) {
+  // Here precedes() of intersect_scalar.h, for what is not seen through an instance.
+  if (t_nearest < best.t || (t_nearest == best.t && (id < best.prim || best.lane.in_instance()))) {
     best = {t_nearest, id, leaf.lane(lane)};
   }
 }
 
+// For leaves that hold no instances.
+struct NothingInside {
+  HWY_INLINE void find(const PreparedRay&, PrimId, float, Hit&) const {}
+  HWY_INLINE bool occludes(const PreparedRay&, PrimId) const { return false; }
+};
+
+// Calls visit(id, entry) for the instances of a leaf whose boxes the ray enters until it returns
+// false.
+template <class Visit>
+HWY_INLINE void for_each_instance(const PreparedRay& ray, const LeafRow* leaf, float t_best,
+                                  Visit visit) {
+  const std::uint32_t* ids = leaf[leaf_id_row(ShapeKind::instance)].words;
+  for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
+    const LaneHits boxes = enter_instance_boxes(ray, leaf, i, t_best);
+    alignas(64) float entry[kLanes];
+    hn::Store(boxes.t, Floats(), entry);
+    for (std::uint32_t bits = bits_of(boxes.mask); bits != 0;) {
+      const std::uint32_t lane = take_lowest(bits);
+      if (!visit(ids[i + lane], entry[lane])) return;
+    }
+  }
+}
+
+// inside.find(ray, id, entry, best) looks into an instance.
+template <class Inside>
 HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
-                               Hit& best) {
+                               const Inside& inside, Hit& best) {
   const LeafRow* begin = rows + leaf.first_row();
+  if (HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
+    for_each_instance(ray, begin, best.t, [&](PrimId id, float entry) {
+      if (entry <= best.t) inside.find(ray, id, entry, best);
+      return true;
+    });
+    return;
+  }
   for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
     const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, best.t);
     if (!hn::AllFalse(Floats(), hits.mask)) keep_best(hits, leaf, begin, i, best);
   }
 }
 
-HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows) {
+template <class Inside>
+HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
+                              const Inside& inside) {
   const LeafRow* begin = rows + leaf.first_row();
-  for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
-    const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, ray.t_max);
-    if (!hn::AllFalse(Floats(), hits.mask)) return true;
+  bool occluded = false;
+  if (HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
+    for_each_instance(ray, begin, ray.t_max, [&](PrimId id, float) {
+      occluded = inside.occludes(ray, id);
+      return !occluded;
+    });
+    return occluded;
   }
-  return false;
+  for (std::size_t i = 0; i < kLeafWidth && !occluded; i += kLanes) {
+    const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, ray.t_max);
+    occluded = !hn::AllFalse(Floats(), hits.mask);
+  }
+  return occluded;
+}
+
+// See keep_seen_through() of intersect_scalar.h.
+HWY_INLINE void keep_seen_through(std::size_t instance, float entry, Hit inside, Hit& best) {
+  if (inside.prim == kNoPrim) return;
+  inside.t = inside.t > entry ? inside.t : entry;
+  inside.lane = inside.lane.through(instance);
+  const std::uint32_t before = best.lane.seen_through(), now = inside.lane.seen_through();
+  const bool precedes =
+      best.prim == kNoPrim || now < before || (now == before && inside.prim < best.prim);
+  if (inside.t < best.t || (inside.t == best.t && precedes)) best = inside;
 }
 
 // What a search starts from and, when nothing was found, must not return.

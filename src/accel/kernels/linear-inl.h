@@ -13,13 +13,45 @@ HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
 
+struct InsideLinear {
+  const LinearView& view;
+
+  HWY_INLINE const PlacedInstance& instance(PrimId id) const {
+    return view.instances[id - view.first_id];
+  }
+
+  HWY_INLINE void find(const PreparedRay& ray, PrimId id, float entry, Hit& best) const {
+    const PlacedInstance& placed = instance(id);
+    if (placed.content == PlacedInstance::kNothing) return;
+    const PreparedRay within = enter_instance(placed, ray);
+    Hit inside = nothing_before(within.t_max < best.t ? within.t_max : best.t);
+    const std::span<const LeafRef> leaves = view.prototypes[placed.content];
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      intersect_leaf(within, leaves[i], view.rows, NothingInside(), inside);
+    }
+    keep_seen_through(id - view.first_id, entry, inside, best);
+  }
+
+  HWY_INLINE bool occludes(const PreparedRay& ray, PrimId id) const {
+    const PlacedInstance& placed = instance(id);
+    if (placed.content == PlacedInstance::kNothing) return false;
+    const PreparedRay within = enter_instance(placed, ray);
+    const std::span<const LeafRef> leaves = view.prototypes[placed.content];
+    bool occluded = false;
+    for (std::size_t i = 0; i < leaves.size() && !occluded; ++i) {
+      occluded = leaf_occludes(within, leaves[i], view.rows, NothingInside());
+    }
+    return occluded;
+  }
+};
+
 HWY_ATTR void intersect_linear(const LinearView& view, const Ray* rays, Hit* hits,
                                std::size_t count) {
   for (std::size_t r = 0; r < count; ++r) {
     const PreparedRay ray = prepare(rays[r]);
     Hit best = nothing_before(ray.t_max);
     for (std::size_t i = 0; i < view.leaves.size(); ++i) {
-      intersect_leaf(ray, view.leaves[i], view.rows, best);
+      intersect_leaf(ray, view.leaves[i], view.rows, InsideLinear{view}, best);
     }
     hits[r] = finished(best);
   }
@@ -31,7 +63,7 @@ HWY_ATTR void occluded_linear(const LinearView& view, const Ray* rays, std::uint
     const PreparedRay ray = prepare(rays[r]);
     occluded[r] = 0;
     for (std::size_t i = 0; i < view.leaves.size() && occluded[r] == 0; ++i) {
-      occluded[r] = leaf_occludes(ray, view.leaves[i], view.rows) ? 1 : 0;
+      occluded[r] = leaf_occludes(ray, view.leaves[i], view.rows, InsideLinear{view}) ? 1 : 0;
     }
   }
 }

@@ -27,6 +27,7 @@ inline constexpr int kNodeWork = 2, kPrimWork = 1 + kPacketSize / 16;
 struct alignas(64) Packet {
   float origin[3][kPacketSize], direction[3][kPacketSize], inverse[3][kPacketSize];
   float t_min[kPacketSize], inverse_dot[kPacketSize];
+  float shear[2][kPacketSize];
   float best_t[kPacketSize];
   std::uint32_t best_prim[kPacketSize];
   std::uint32_t best_leaf[kPacketSize], best_lane[kPacketSize];  // ChildRef bits, lane in it
@@ -36,9 +37,12 @@ struct alignas(64) Packet {
 struct PacketBounds {
   float origin_near[3], origin_far[3];  // the ends that give the first and last crossing of a plane
   float inverse_low[3], inverse_high[3];
-  bool up[3];    // signs of the directions
-  float t_min;   // smallest
-  float t_best;  // largest
+  float inverse_far_low[3], inverse_far_high[3];
+  std::uint32_t axis;  // the z of the rays' own frames
+  bool one_axis;       // it is the same for all
+  bool up[3];          // signs of the directions
+  float t_min;         // smallest
+  float t_best;        // largest
 };
 
 struct Extent {
@@ -64,6 +68,8 @@ HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
     bounds.up[axis] = up;
     bounds.inverse_low[axis] = inverse.low;
     bounds.inverse_high[axis] = inverse.high;
+    bounds.inverse_far_low[axis] = inverse.low * kFarPad;
+    bounds.inverse_far_high[axis] = inverse.high * kFarPad;
     bounds.origin_near[axis] = up ? origin.high : origin.low;
     bounds.origin_far[axis] = up ? origin.low : origin.high;
   }
@@ -73,7 +79,8 @@ HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
   return best.low >= 0.0f;
 }
 
-HWY_INLINE void fill(const Ray* rays, Packet& packet) {
+HWY_INLINE void fill(const Ray* rays, Packet& packet, PacketBounds& bounds) {
+  bounds.one_axis = true;
   for (std::size_t i = 0; i < kPacketSize; ++i) {
     const PreparedRay ray = prepare_fast(rays[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -83,6 +90,10 @@ HWY_INLINE void fill(const Ray* rays, Packet& packet) {
     }
     packet.t_min[i] = ray.t_min;
     packet.inverse_dot[i] = ray.inverse_dot;
+    packet.shear[0][i] = ray.shear[0];
+    packet.shear[1][i] = ray.shear[1];
+    if (i == 0) bounds.axis = ray.axis;
+    bounds.one_axis &= ray.axis == bounds.axis;
     packet.best_t[i] = ray.t_max;
     packet.best_prim[i] = kNoPrim;
   }
@@ -96,8 +107,8 @@ HWY_INLINE FloatVec earliest(FloatVec planes, const PacketBounds& bounds, std::s
 }
 HWY_INLINE FloatVec latest(FloatVec planes, const PacketBounds& bounds, std::size_t axis) {
   const FloatVec way = hn::Sub(planes, all(bounds.origin_far[axis]));
-  return hn::Max(hn::Mul(way, all(bounds.inverse_low[axis])),
-                 hn::Mul(way, all(bounds.inverse_high[axis])));
+  return hn::Max(hn::Mul(way, all(bounds.inverse_far_low[axis])),
+                 hn::Mul(way, all(bounds.inverse_far_high[axis])));
 }
 
 // Boxes that some ray of the packet may pass, and when at the earliest.
@@ -186,6 +197,54 @@ HWY_INLINE LaneHits meet_rectangle(const Packet& packet, std::size_t i, Rectangl
   return {hn::And(crosses, hn::And(hn::Ge(t, near), hn::Le(t, far))), t};
 }
 
+// One triangle, as all its lanes, with rays [i, i + kLanes) that have one axis.
+HWY_INLINE LaneHits meet_triangle(const Packet& packet, std::size_t i, const PacketBounds& bounds,
+                                  const float* v) {
+  const Floats d;
+  const FloatVec zero = hn::Zero(d);
+  const std::uint32_t kz = bounds.axis, kx = next_axis(kz), ky = next_axis(kx);
+  const FloatVec ox = load_floats(packet.origin[kx] + i), oy = load_floats(packet.origin[ky] + i);
+  const FloatVec oz = load_floats(packet.origin[kz] + i);
+  const FloatVec shear_x = load_floats(packet.shear[0] + i);
+  const FloatVec shear_y = load_floats(packet.shear[1] + i);
+  FloatVec x[3], y[3], z[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    z[k] = hn::Sub(all(v[3 * k + kz]), oz);
+    x[k] = hn::Sub(hn::Sub(all(v[3 * k + kx]), ox), hn::Mul(shear_x, z[k]));
+    y[k] = hn::Sub(hn::Sub(all(v[3 * k + ky]), oy), hn::Mul(shear_y, z[k]));
+  }
+  const FloatVec u0 = hn::Sub(hn::Mul(x[2], y[1]), hn::Mul(y[2], x[1]));
+  const FloatVec u1 = hn::Sub(hn::Mul(x[0], y[2]), hn::Mul(y[0], x[2]));
+  const FloatVec u2 = hn::Sub(hn::Mul(x[1], y[0]), hn::Mul(y[1], x[0]));
+  const FloatVec sum = hn::Add(hn::Add(u0, u1), u2);
+  const FloatMask inside = hn::Or(hn::Ge(hn::Min(hn::Min(u0, u1), u2), zero),
+                                  hn::Le(hn::Max(hn::Max(u0, u1), u2), zero));
+  FloatMask mask = hn::And(inside, hn::Gt(hn::Abs(sum), zero));
+  if (hn::AllFalse(d, mask)) return {mask, zero};
+  const FloatVec scale = hn::Div(all(1.0f), sum);
+  const FloatVec ahead =
+      hn::Add(hn::Add(hn::Mul(hn::Mul(u0, scale), z[0]), hn::Mul(hn::Mul(u1, scale), z[1])),
+              hn::Mul(hn::Mul(u2, scale), z[2]));
+  const FloatVec raw = hn::Mul(ahead, load_floats(packet.inverse[kz] + i));
+  const FloatVec t_min = load_floats(packet.t_min + i), t_max = load_floats(packet.best_t + i);
+  mask = hn::And(mask, hn::And(hn::Ge(raw, t_min), hn::Le(raw, t_max)));
+  if (hn::AllFalse(d, mask)) return {mask, raw};
+  FloatVec near = t_min, far = all(Bounds3f::kInfinity);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto least = [](float a, float b) { return a < b ? a : b; };
+    const auto most = [](float a, float b) { return a > b ? a : b; };
+    const float lo = least(least(v[axis], v[3 + axis]), v[6 + axis]);
+    const float hi = most(most(v[axis], v[3 + axis]), v[6 + axis]);
+    const FloatVec o = load_floats(packet.origin[axis] + i);
+    const FloatVec inverse = load_floats(packet.inverse[axis] + i);
+    const bool up = bounds.up[axis];
+    near = hn::Max(near, hn::Mul(hn::Sub(all(up ? lo : hi), o), inverse));
+    far = hn::Min(far, hn::Mul(hn::Sub(all(up ? hi : lo), o), hn::Mul(inverse, all(kFarPad))));
+  }
+  const FloatVec t = hn::Max(raw, near);
+  return {hn::And(mask, hn::And(hn::Le(near, far), hn::Le(t, t_max))), t};
+}
+
 // Keeps what is nearer than before, or as near with a lower id.
 HWY_INLINE void keep_nearer(LaneHits hits, std::size_t i, PrimId id, ChildRef leaf,
                             std::size_t lane, Packet& packet) {
@@ -223,6 +282,19 @@ HWY_INLINE std::uint32_t candidate_spheres(const PacketBounds& bounds, const Lea
   return bits;
 }
 
+HWY_INLINE std::uint32_t candidate_triangles(const PacketBounds& bounds, const LeafRow* leaf) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
+    FloatVec lo[3], hi[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lo[axis] = least_of(leaf, axis, i);
+      hi[axis] = greatest_of(leaf, axis, i);
+    }
+    bits |= bits_of(enter_boxes(bounds, lo, hi).mask) << i;
+  }
+  return bits;
+}
+
 // Returns the work done.
 HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRow* rows,
                           Packet& packet) {
@@ -230,7 +302,10 @@ HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRo
   const LeafRow* leaf = rows + ref.leaf_row();
   const std::uint32_t* ids = leaf[leaf_id_row(kind)].words;
   const bool is_sphere = kind == ShapeKind::sphere;
-  std::uint32_t candidates = is_sphere ? candidate_spheres(bounds, leaf) : 0xffffu;
+  const bool is_triangle = kind == ShapeKind::triangle;
+  std::uint32_t candidates = is_sphere     ? candidate_spheres(bounds, leaf)
+                             : is_triangle ? candidate_triangles(bounds, leaf)
+                                           : 0xffffu;
   int work = kNodeWork;
   while (candidates != 0) {
     const std::uint32_t lane = take_lowest(candidates);
@@ -246,8 +321,19 @@ HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRo
       }
       continue;
     }
-    float numbers[5];
-    for (std::size_t row = 0; row < 5; ++row) numbers[row] = load_float(leaf[row].words + lane);
+    float numbers[kMaxLeafRows];
+    for (std::size_t row = 0; row < leaf_id_row(kind); ++row) {
+      numbers[row] = load_float(leaf[row].words + lane);
+    }
+    if (is_triangle) {
+      for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
+        const LaneHits hits = meet_triangle(packet, i, bounds, numbers);
+        if (!hn::AllFalse(Floats(), hits.mask)) {
+          keep_nearer(hits, i, ids[lane], ref, lane, packet);
+        }
+      }
+      continue;
+    }
     for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
       const LaneHits hits = meet_rectangle(packet, i, rectangle_axes(kind), bounds, numbers);
       keep_nearer(hits, i, ids[lane], ref, lane, packet);
@@ -288,7 +374,7 @@ struct PacketSearch {
 HWY_NOINLINE bool trace_packet(const WideBvhView& bvh, const Ray* rays, PacketSearch& search,
                                Hit* hits) {
   auto& [packet, bounds, pending] = search;
-  fill(rays, packet);
+  fill(rays, packet, bounds);
   if (!bound(packet, bounds)) return false;
   clear(pending);
   int work = 0;
@@ -296,6 +382,9 @@ HWY_NOINLINE bool trace_packet(const WideBvhView& bvh, const Ray* rays, PacketSe
        current = pop_nearest(pending, bounds.t_best)) {
     if (work > kPacketBudget) return false;
     if (current.is_leaf()) {
+      const ShapeKind kind = current.leaf_kind();
+      if (kind > ShapeKind::triangle) return false;  // not for packets
+      if (kind == ShapeKind::triangle && !bounds.one_axis) return false;
       work += visit_leaf(bounds, current, bvh.rows.data(), packet);
       bounds.t_best = extent_of(packet.best_t).high;
     } else {

@@ -54,6 +54,7 @@ HWY_INLINE PreparedRay prepare_fast(const Ray& ray) {
   hn::StoreU(origin, d, prepared.origin);
   hn::StoreU(direction, d, prepared.direction);
   hn::StoreU(inverse, d, prepared.inverse);
+  hn::StoreU(hn::Mul(inverse, hn::Set(d, kFarPad)), d, prepared.inverse_far);
   prepare_scalars(ray, prepared);
   return prepared;
 #endif
@@ -62,6 +63,11 @@ HWY_INLINE PreparedRay prepare_fast(const Ray& ray) {
 // (plane - origin) * inverse for one axis: where the ray meets the planes.
 HWY_INLINE FloatVec meet(FloatVec planes, const PreparedRay& ray, int axis) {
   return hn::Mul(hn::Sub(planes, all(ray.origin[axis])), all(ray.inverse[axis]));
+}
+
+// The same where boxes are left.
+HWY_INLINE FloatVec meet_far(FloatVec planes, const PreparedRay& ray, int axis) {
+  return hn::Mul(hn::Sub(planes, all(ray.origin[axis])), all(ray.inverse_far[axis]));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -52,9 +52,9 @@ HWY_INLINE LaneHits enter_boxes(const Search& search, const WideNode& node, std:
   const FloatVec nx = meet(load_floats(floats + search.planes.near[0]), ray, 0);
   const FloatVec ny = meet(load_floats(floats + search.planes.near[1]), ray, 1);
   const FloatVec nz = meet(load_floats(floats + search.planes.near[2]), ray, 2);
-  const FloatVec fx = meet(load_floats(floats + search.planes.far[0]), ray, 0);
-  const FloatVec fy = meet(load_floats(floats + search.planes.far[1]), ray, 1);
-  const FloatVec fz = meet(load_floats(floats + search.planes.far[2]), ray, 2);
+  const FloatVec fx = meet_far(load_floats(floats + search.planes.far[0]), ray, 0);
+  const FloatVec fy = meet_far(load_floats(floats + search.planes.far[1]), ray, 1);
+  const FloatVec fz = meet_far(load_floats(floats + search.planes.far[2]), ray, 2);
   const FloatVec entry = hn::Max(hn::Max(nx, ny), hn::Max(nz, all(ray.t_min)));
   const FloatVec exit = hn::Min(hn::Min(fx, fy), hn::Min(fz, all(search.best.t)));
   return {hn::Le(entry, exit), entry};
@@ -115,6 +115,42 @@ HWY_INLINE void start(const Ray& ray, std::size_t index, Search& search) {
   clear(search.pending);
 }
 
+// What a ray finds in the tree of an instance, if that is no farther than `t_best`: one search from
+// beginning to end.
+template <bool kAnyHit>
+HWY_NOINLINE Hit search_instance(const WideView& bvh, const PlacedInstance& instance,
+                                 const PreparedRay& ray, float t_best) {
+  Search search;
+  search.ray = enter_instance(instance, ray);
+  search.planes = planes_of(search.ray);
+  search.best = nothing_before(search.ray.t_max < t_best ? search.ray.t_max : t_best);
+  make_bottom(search.pending);
+  clear(search.pending);
+  for (ChildRef current = ChildRef::node(instance.content); !current.empty();
+       current = pop_nearest(search.pending, search.best.t)) {
+    if (!current.is_leaf()) {
+      visit_node(bvh.nodes[current.node_index()], search);
+      continue;
+    }
+    intersect_leaf(search.ray, current.leaf_ref(), bvh.rows.data(), NothingInside(), search.best);
+    if (kAnyHit && search.best.prim != kNoPrim) break;
+  }
+  return search.best;
+}
+
+template <bool kAnyHit>
+struct InsideTree {
+  const WideView& bvh;
+
+  HWY_INLINE void find(const PreparedRay& ray, PrimId id, float entry, Hit& best) const {
+    const std::size_t index = id - bvh.first_id;
+    const PlacedInstance& instance = bvh.instances[index];
+    if (instance.content == PlacedInstance::kNothing) return;
+    if (kAnyHit && best.prim != kNoPrim) return;
+    keep_seen_through(index, entry, search_instance<kAnyHit>(bvh, instance, ray, best.t), best);
+  }
+};
+
 // Rays of a stream still to be started, and what to do with a search that ended.
 template <class Finish>
 struct Stream {
@@ -125,7 +161,7 @@ struct Stream {
 };
 
 template <bool kAnyHit, class Finish>
-HWY_INLINE void trace_stream(const WideBvhView& bvh, Stream<Finish> stream) {
+HWY_INLINE void trace_stream(const WideView& bvh, Stream<Finish> stream) {
   Search searches[kInFlight];
   Worklists lists;
   for (Search& search : searches) make_bottom(search.pending);
@@ -140,7 +176,8 @@ HWY_INLINE void trace_stream(const WideBvhView& bvh, Stream<Finish> stream) {
     }
     for (std::size_t i = 0; i < lists.leaf_count; ++i) {
       Search& search = searches[lists.at_leaf[i]];
-      intersect_leaf(search.ray, search.current.leaf_ref(), bvh.rows.data(), search.best);
+      intersect_leaf(search.ray, search.current.leaf_ref(), bvh.rows.data(),
+                     InsideTree<kAnyHit>{bvh}, search.best);
       if (kAnyHit && search.best.prim != kNoPrim) clear(search.pending);
     }
     Worklists next;
@@ -163,7 +200,7 @@ HWY_INLINE void trace_stream(const WideBvhView& bvh, Stream<Finish> stream) {
   }
 }
 
-HWY_NOINLINE void trace_one_by_one(const WideBvhView& bvh, const Ray* rays, std::size_t count,
+HWY_NOINLINE void trace_one_by_one(const WideView& bvh, const Ray* rays, std::size_t count,
                                    Hit* hits) {
   const auto finish = [hits](std::size_t i, const Hit& best) { hits[i] = finished(best); };
   trace_stream<false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
@@ -185,8 +222,7 @@ struct Patience {
 };
 
 // Packets where they work; what lies between them is traced in longer runs of single rays.
-HWY_ATTR void intersect_wide(const WideBvhView& bvh, const Ray* rays, Hit* hits,
-                             std::size_t count) {
+HWY_ATTR void intersect_wide(const WideView& bvh, const Ray* rays, Hit* hits, std::size_t count) {
   if (bvh.empty()) {
     for (std::size_t i = 0; i < count; ++i) hits[i] = Hit{};
     return;
@@ -205,7 +241,7 @@ HWY_ATTR void intersect_wide(const WideBvhView& bvh, const Ray* rays, Hit* hits,
   trace_one_by_one(bvh, rays + traced, count - traced, hits + traced);
 }
 
-HWY_ATTR void occluded_wide(const WideBvhView& bvh, const Ray* rays, std::uint8_t* occluded,
+HWY_ATTR void occluded_wide(const WideView& bvh, const Ray* rays, std::uint8_t* occluded,
                             std::size_t count) {
   const auto finish = [occluded](std::size_t i, const Hit& best) {
     occluded[i] = best.prim != kNoPrim ? 1 : 0;

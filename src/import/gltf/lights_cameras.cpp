@@ -47,6 +47,9 @@ Vec3f colour_of(const JsonValue& light) {
   return colour;
 }
 
+// Files say candela and lux; light in scenes is radiant.
+constexpr double kLumensPerWatt = 683;
+
 Light light_at(const Transformd& to_world, const JsonValue& json) {
   Light light;
   const std::string& type = json["type"].text();
@@ -55,7 +58,8 @@ Light light_at(const Transformd& to_world, const JsonValue& json) {
                                        : LightKind::point;
   light.position = Vec3f(to_world.point(Vec3d()));
   light.direction = Vec3f(direction(to_world, {0, 0, -1}));
-  light.intensity = static_cast<float>(json["intensity"].number_or(1)) * colour_of(json);
+  light.intensity =
+      static_cast<float>(json["intensity"].number_or(1) / kLumensPerWatt) * colour_of(json);
   const JsonValue& spot = json["spot"];
   light.inner_angle = static_cast<float>(spot["innerConeAngle"].number_or(0));
   light.outer_angle = static_cast<float>(spot["outerConeAngle"].number_or(std::numbers::pi / 4));

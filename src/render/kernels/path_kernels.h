@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "accel/hit.h"
+#include "accel/placed_instance.h"
 #include "math/ray.h"
 #include "render/camera_rays.h"
 #include "render/film.h"
@@ -36,6 +37,7 @@ inline constexpr std::size_t kPathPadding = 32;
 // What hits are looked up in.
 struct SurfaceView {
   const LeafRow* leaf_rows = nullptr;
+  const PlacedInstance* instances = nullptr;
   const MaterialRecord* materials = nullptr;
   std::size_t material_count = 0;
   std::array<const MaterialId*, kShapeKindCount> materials_of = {};

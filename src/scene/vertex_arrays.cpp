@@ -1,4 +1,4 @@
-#include "import/vertex_arrays.h"
+#include "scene/vertex_arrays.h"
 
 namespace dapple {
 namespace {

@@ -1,0 +1,19 @@
+// What a command line says about a model, and how it is to be seen.
+#pragma once
+
+#include "dapple/arguments.h"
+#include "image/tone_map.h"
+#include "import/import_options.h"
+#include "render/settings.h"
+#include "render/view_options.h"
+
+namespace dapple {
+
+[[nodiscard]] ImportOptions import_options_from(const Arguments& arguments);
+// Errors: a field of view or a radius that is none.
+[[nodiscard]] Expected<ViewOptions> view_options_from(const Arguments& arguments);
+// Those of --spp and --depth that depend on the scene come from `classic`.
+[[nodiscard]] RenderSettings settings_from(const Arguments& arguments, bool classic);
+[[nodiscard]] ToneMap tone_map_from(const Arguments& arguments, bool classic);
+
+}  // namespace dapple

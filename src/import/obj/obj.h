@@ -1,0 +1,15 @@
+// Import of OBJ files with their material libraries.
+#pragma once
+
+#include <string>
+
+#include "import/import_options.h"
+#include "import/import_result.h"
+#include "util/error.h"
+
+namespace dapple {
+
+[[nodiscard]] Expected<ImportResult> import_obj(const std::string& path,
+                                                const ImportOptions& options);
+
+}  // namespace dapple

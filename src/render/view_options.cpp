@@ -1,0 +1,110 @@
+#include "render/view_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstring>
+#include <utility>
+
+#include "image/formats.h"
+#include "scene/prims.h"
+#include "util/parse_number.h"
+
+namespace dapple {
+namespace {
+
+std::string_view name_of(const NamedCamera& camera) {
+  return {camera.name.data(), strnlen(camera.name.data(), camera.name.size())};
+}
+
+Expected<Camera> find_camera(std::span<const NamedCamera> cameras, const std::string& wanted) {
+  for (const NamedCamera& camera : cameras) {
+    if (name_of(camera) == wanted) return camera.camera;
+  }
+  const auto index = parse_integer(wanted, "camera", 0, INT32_MAX);
+  if (index && static_cast<std::size_t>(*index) < cameras.size()) {
+    return cameras[static_cast<std::size_t>(*index)].camera;
+  }
+  if (cameras.empty()) return fail(Errc::usage, wanted, "the scene has no cameras of its own");
+  std::vector<std::string_view> names;
+  for (const NamedCamera& camera : cameras) names.push_back(name_of(camera));
+  return fail(Errc::usage, wanted,
+              fmt::format("no such camera; there are {} (or 0 to {})", fmt::join(names, ", "),
+                          cameras.size() - 1));
+}
+
+Vec3d middle_of(const Bounds3f& b) {
+  return b.lo.x <= b.hi.x ? 0.5 * (Vec3d(b.lo) + Vec3d(b.hi)) : Vec3d();
+}
+
+}  // namespace
+
+Expected<EditedView> EditedView::create(const SceneView& scene, const ViewOptions& options,
+                                        double width_over_height) {
+  EditedView edited;
+  edited.view_ = scene;
+  if (auto status = edited.choose_camera(options, width_over_height).and_then([&] {
+        return edited.choose_environment(options);
+      });
+      !status) {
+    return tl::unexpected(status.error());
+  }
+  return edited;
+}
+
+Status EditedView::choose_camera(const ViewOptions& options, double width_over_height) {
+  if (!options.camera.empty()) {
+    const auto camera = find_camera(view_.cameras, options.camera);
+    if (!camera) return tl::unexpected(camera.error());
+    view_.camera = *camera;
+  } else if (options.orbit || options.target) {
+    const Orbit orbit = options.orbit.value_or(Orbit());
+    const Vec3d target = options.target ? *options.target : middle_of(scene_bounds(view_));
+    view_.camera = orbit_camera(orbit, target, options.fov.value_or(kFramingFov));
+  } else if (options.frame) {
+    view_.camera =
+        frame_scene(scene_bounds(view_), width_over_height, options.fov.value_or(kFramingFov));
+  }
+  if (options.fov) {
+    view_.camera.vertical_fov = *options.fov;
+    view_.camera.orthographic_height = 0;
+  }
+  return {};
+}
+
+Status EditedView::choose_environment(const ViewOptions& options) {
+  Environment& environment = view_.environment;
+  if (options.environment == "studio" || options.environment == "none") {
+    environment = Environment();
+    environment.kind =
+        options.environment == "studio" ? EnvironmentKind::studio : EnvironmentKind::none;
+  } else if (!options.environment.empty()) {
+    if (auto status = load_environment(options.environment); !status) return status;
+  }
+  if (options.rotation) environment.rotation = static_cast<float>(*options.rotation);
+  return {};
+}
+
+// The scene's images with one more behind them.
+Status EditedView::load_environment(const std::string& path) {
+  auto image = read_image(path);
+  if (!image) return tl::unexpected(image.error());
+  images_.assign(view_.images.begin(), view_.images.end());
+  texels_.assign(view_.texels.begin(), view_.texels.end());
+  TextureImage entry;
+  entry.width = static_cast<std::uint32_t>(image->width);
+  entry.height = static_cast<std::uint32_t>(image->height);
+  entry.format = TexelFormat::rgb32f;
+  entry.offset = (texels_.size() + 15) / 16 * 16;
+  texels_.resize(entry.offset + entry.bytes());
+  std::memcpy(texels_.data() + entry.offset, image->pixels.data(), entry.bytes());
+  images_.push_back(entry);
+  view_.images = images_;
+  view_.texels = texels_;
+  view_.environment = Environment();
+  view_.environment.kind = EnvironmentKind::image;
+  view_.environment.image = static_cast<ImageId>(images_.size() - 1);
+  return {};
+}
+
+}  // namespace dapple

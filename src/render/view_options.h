@@ -1,0 +1,43 @@
+// From where and in which surroundings a scene is to be seen, where that differs from what it says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/framing.h"
+#include "scene/scene_view.h"
+#include "util/error.h"
+
+namespace dapple {
+
+struct ViewOptions {
+  std::string camera;  // name or index of one of the scene's; empty: the one in use
+  std::optional<Orbit> orbit;
+  std::optional<Vec3d> target;     // of the orbit; without: the middle of the scene
+  std::optional<double> fov;       // vertical, degrees
+  bool frame = false;              // a camera that sees the whole scene, whatever the scene's own
+  std::string environment;         // an image file, "studio" or "none"; empty: the scene's own
+  std::optional<double> rotation;  // of the environment about +y, degrees
+};
+
+// A view with other camera and surroundings; owns what it adds. The scene's arrays must outlive it.
+class EditedView {
+ public:
+  [[nodiscard]] static Expected<EditedView> create(const SceneView& scene,
+                                                   const ViewOptions& options,
+                                                   double width_over_height);
+
+  const SceneView& view() const { return view_; }
+
+ private:
+  Status choose_camera(const ViewOptions& options, double width_over_height);
+  Status choose_environment(const ViewOptions& options);
+  Status load_environment(const std::string& path);
+
+  SceneView view_;
+  std::vector<TextureImage> images_;
+  std::vector<std::uint8_t> texels_;
+};
+
+}  // namespace dapple

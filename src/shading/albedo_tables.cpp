@@ -1,0 +1,59 @@
+#include "shading/albedo_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dapple {
+namespace {
+
+constexpr float kUnit = 1.0f / 65535;
+
+// The cell of a grid of nodes that x in [0, 1] lies in, and how far.
+struct Place {
+  std::size_t index;
+  float t;
+};
+Place place(float x, std::size_t nodes) {
+  const float scaled = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(nodes - 1);
+  const auto index = std::min(static_cast<std::size_t>(scaled), nodes - 2);
+  return {index, scaled - static_cast<float>(index)};
+}
+
+float bilinear(const std::uint16_t* table, std::size_t columns, Place row, Place column) {
+  const std::uint16_t* a = table + row.index * columns + column.index;
+  const std::uint16_t* b = a + columns;
+  const float first = (1.0f - column.t) * a[0] + column.t * a[1];
+  const float second = (1.0f - column.t) * b[0] + column.t * b[1];
+  return kUnit * ((1.0f - row.t) * first + row.t * second);
+}
+
+float root_of_cosine(float cosine) { return std::sqrt(std::clamp(cosine, 0.0f, 1.0f)); }
+
+}  // namespace
+
+ReflectionAlbedo reflection_albedo(float cosine, float roughness) {
+  const Place row = place(roughness, kAlbedoRoughnesses);
+  const Place column = place(root_of_cosine(cosine), kAlbedoCosines);
+  return {bilinear(kReflectionScaleData, kAlbedoCosines, row, column),
+          bilinear(kReflectionBiasData, kAlbedoCosines, row, column)};
+}
+
+float refraction_albedo(float cosine, float roughness, float eta) {
+  const Place row = place(roughness, kRefractionRoughnesses);
+  const Place column = place(root_of_cosine(cosine), kRefractionCosines);
+  constexpr float kScale = (kLargestEta + 1) / (kLargestEta - 1);
+  const Place sheet = place(kScale * std::fabs(eta - 1.0f) / (eta + 1.0f),
+                            eta > 1.0f ? kRefractionInEtas : kRefractionOutEtas);
+  const std::uint16_t* data = eta > 1.0f ? kRefractionInData : kRefractionOutData;
+  constexpr std::size_t kSheet = kRefractionRoughnesses * kRefractionCosines;
+  const std::uint16_t* near = data + sheet.index * kSheet;
+  return (1.0f - sheet.t) * bilinear(near, kRefractionCosines, row, column) +
+         sheet.t * bilinear(near + kSheet, kRefractionCosines, row, column);
+}
+
+float sheen_albedo(float cosine, float roughness) {
+  return kSheenScale * bilinear(kSheenData, kSheenCosines, place(roughness, kSheenRoughnesses),
+                                place(root_of_cosine(cosine), kSheenCosines));
+}
+
+}  // namespace dapple
