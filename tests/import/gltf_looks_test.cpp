@@ -148,7 +148,8 @@ TEST(GltfLooks, LampsTakeThePlaceOfTheStudio) {
   EXPECT_EQ(light.kind, LightKind::spot);
   EXPECT_EQ(light.position, Vec3f(0, 5, 0));
   EXPECT_EQ(light.direction, Vec3f(0, 0, -1));
-  EXPECT_EQ(light.intensity, Vec3f(10, 5, 0));
+  // Candela over 683 lumens per watt.
+  EXPECT_LT(max_abs_component(light.intensity - Vec3f(10.0f / 683, 5.0f / 683, 0)), 1e-8f);
   EXPECT_EQ(light.outer_angle, 0.5f);
   EXPECT_EQ(result->scene.environment.kind, EnvironmentKind::none);
 }
