@@ -84,6 +84,14 @@ OptionInfo accel_option(std::string_view help, std::string default_value) {
           .choices = {"linear", "median", "fast"}};
 }
 
+OptionInfo bvh_quality_option() {
+  return {.name = "bvh-quality",
+          .kind = ValueKind::choice,
+          .help = "How much work goes into the fast BVH; a stored one is taken as it is",
+          .default_value = "medium",
+          .choices = {"low", "medium", "high"}};
+}
+
 OptionInfo size_option(std::string_view name, std::string_view help, std::string default_value) {
   return {.name = name,
           .kind = ValueKind::integer,

@@ -35,6 +35,7 @@ struct Figures {
 struct BenchSettings {
   RenderSettings camera;
   int repeat = 1;
+  BvhQuality bvh_quality = BvhQuality::medium;
 };
 
 double median(std::vector<double> values) {
@@ -88,7 +89,7 @@ Expected<Figures> measure(AccelKind kind, const SceneView& scene, const BenchSet
   for (int i = 0; i < settings.repeat; ++i) {
     accel.reset();  // not part of building, and two at once may not fit in memory
     const Clock clock;
-    accel = make_accel(kind, scene);
+    accel = make_accel(kind, scene, settings.bvh_quality);
     build_seconds.push_back(clock.seconds());
   }
   figures.build_seconds = median(std::move(build_seconds));
@@ -172,6 +173,7 @@ Expected<int> run_bench(const Arguments& arguments) {
   settings.camera.height = arguments.small_integer("height");
   settings.camera.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
   settings.repeat = arguments.small_integer("repeat");
+  settings.bvh_quality = parse_bvh_quality(arguments.text("bvh-quality")).value();
   if (auto status = validate(settings.camera).and_then([&] { return set_up_computing(arguments); });
       !status) {
     return tl::unexpected(status.error());

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "accel/accel.h"
 #include "accel/wide_builder.h"
 #include "common/program.h"
 #include "common/stop_signal.h"
@@ -26,7 +27,8 @@ Expected<int> run_convert(const Arguments& arguments) {
   if (arguments.given("no-bvh")) {
     scene.bvh = {};
   } else if (scene.bvh.empty()) {
-    built = build_wide_bvh(scene);
+    built =
+        build_wide_bvh(scene, nullptr, parse_bvh_quality(arguments.text("bvh-quality")).value());
     scene.bvh = built.view();
   }
   if (auto status = check_stop().and_then([&] { return store_scene_file(output, scene); });

@@ -38,6 +38,7 @@ VerifyScope scope_for(AccelKind kind) {
 struct Report {
   RenderSettings settings;
   AccelKind accel = AccelKind::fast;
+  BvhQuality bvh_quality = BvhQuality::medium;
   bool classic = true;
   double load_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
   std::uint64_t dropped_samples = 0;
@@ -91,7 +92,7 @@ double lap(Clock& clock) {
 
 Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, Report& report) {
   Clock clock;
-  const PreparedScene prepared(scene, make_accel(report.accel, scene));
+  const PreparedScene prepared(scene, make_accel(report.accel, scene, report.bvh_quality));
   report.build_seconds = lap(clock);
   ProgressBar bar(show_progress, report.samples());
   RenderControl control;
@@ -161,6 +162,7 @@ Expected<int> run_render(const Arguments& arguments) {
   const std::string output = arguments.text("output");
   Report report;
   report.accel = parse_accel_kind(arguments.text("accel")).value();
+  report.bvh_quality = parse_bvh_quality(arguments.text("bvh-quality")).value();
   if (auto status = validate(settings_from(arguments, true))
                         .and_then([&] { return set_up_computing(arguments); })
                         .and_then([&] { return check_output(output); });

@@ -44,7 +44,19 @@ Expected<AccelKind> parse_accel_kind(std::string_view name) {
       fmt::format("unknown acceleration structure; there are {}", fmt::join(kAccelNames, ", ")));
 }
 
-std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene) {
+std::string_view bvh_quality_name(BvhQuality quality) {
+  return kBvhQualityNames[static_cast<std::size_t>(quality)];
+}
+
+Expected<BvhQuality> parse_bvh_quality(std::string_view name) {
+  for (std::size_t i = 0; i < kBvhQualityNames.size(); ++i) {
+    if (kBvhQualityNames[i] == name) return static_cast<BvhQuality>(i);
+  }
+  return fail(Errc::usage, std::string(name),
+              fmt::format("unknown quality; there are {}", fmt::join(kBvhQualityNames, ", ")));
+}
+
+std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene, BvhQuality quality) {
   switch (kind) {
     case AccelKind::linear:
       return std::make_unique<LinearAccel>(scene);
@@ -53,7 +65,7 @@ std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene) {
     case AccelKind::fast:
       break;
   }
-  return std::make_unique<WideAccel>(scene);
+  return std::make_unique<WideAccel>(scene, quality);
 }
 
 }  // namespace dapple

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "accel/bvh_quality.h"
 #include "accel/hit.h"
 #include "accel/placed_instance.h"
 #include "math/bounds3.h"
@@ -86,7 +87,12 @@ class Accel {
 [[nodiscard]] Expected<AccelKind> parse_accel_kind(std::string_view name);
 [[nodiscard]] std::string_view accel_name(AccelKind kind);
 
-// The scene must be valid (scene/validate.h); it is not needed afterwards.
-[[nodiscard]] std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene);
+[[nodiscard]] Expected<BvhQuality> parse_bvh_quality(std::string_view name);
+[[nodiscard]] std::string_view bvh_quality_name(BvhQuality quality);
+
+// The scene must be valid (scene/validate.h); it is not needed afterwards. The quality is that of
+// the fast structure, if the scene does not bring its own.
+[[nodiscard]] std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene,
+                                                BvhQuality quality = BvhQuality::medium);
 
 }  // namespace dapple

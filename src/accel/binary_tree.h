@@ -16,7 +16,7 @@ namespace dapple {
 // [YlitieKL17].
 class BinaryTree {
  public:
-  BinaryTree(RangeSplitter& splitter, const PrimRange& range);
+  BinaryTree(RangeSplitter& splitter, const PrimRange& range, BvhQuality quality);
 
   using NodeId = std::uint32_t;
   static constexpr NodeId kRoot = 0;
@@ -34,16 +34,17 @@ class BinaryTree {
   Cut children(NodeId node) const;
 
  private:
-  // The left child of an inner node is the next node.
   struct Node {
-    PrimRange range;
-    NodeId right = 0;                                 // 0 for a leaf
-    std::array<float, kWideWidth + 1> cost{};         // least cost with at most i slots
-    std::array<std::uint8_t, kWideWidth + 1> left{};  // slots of the left child then; 0: one node
+    PrimRange range;                           // of an inner node only the boxes count
+    NodeId left = 0, right = 0;                // 0 for a leaf
+    std::array<float, kWideWidth + 1> cost{};  // least cost with at most i slots
+    std::array<std::uint8_t, kWideWidth + 1>
+        slots_left{};              // slots of the left child then; 0: one node
     std::uint8_t left_of_all = 0;  // slots of the left child when this is a wide node itself
   };
 
   void grow(RangeSplitter& splitter, const PrimRange& range, int depth);
+  void choose_all_cuts(NodeId node);
   void choose_cuts(NodeId node);
   void collect(NodeId node, std::size_t slots, Cut& cut) const;
 

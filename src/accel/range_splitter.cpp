@@ -8,10 +8,11 @@
 namespace dapple {
 
 RangeSplitter::RangeSplitter(const SceneView& scene, const PrototypeBoxes& prototypes,
-                             HugeArray<BuildPrim> prims)
+                             HugeArray<BuildPrim> prims, BvhQuality quality)
     : scene_(scene),
       prototypes_(prototypes),
       first_ids_(first_prim_ids(scene)),
+      quality_(quality),
       prims_(std::move(prims)),
       scratch_(prims_.size() > kParallelRange ? prims_.size() : 0) {}
 
@@ -54,7 +55,7 @@ RangePair RangeSplitter::split_by_id(const PrimRange& range) {
 
 RangePair RangeSplitter::split(const PrimRange& range, SplitBy by) {
   if (range.size() <= kLeafWidth || by == SplitBy::number) return split_by_id(range);
-  const auto best = find_sah_split(prims_.span(), range);
+  const auto best = find_split(prims_.span(), range, quality_);
   if (!best) return split_by_id(range);
   return partition_range(prims_.span(), scratch_.span(), range, *best);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "accel/bvh_quality.h"
 #include "accel/partition.h"
 #include "accel/prim_range.h"
 #include "scene/scene_view.h"
@@ -20,7 +21,7 @@ class RangeSplitter {
  public:
   // Of those primitives of the scene, which must outlive this, as must the boxes of prototypes.
   RangeSplitter(const SceneView& scene, const PrototypeBoxes& prototypes,
-                HugeArray<BuildPrim> prims);
+                HugeArray<BuildPrim> prims, BvhQuality quality);
 
   std::size_t prim_count() const { return prims_.size(); }
   PrimRange whole() const { return measure_range(prims_.span(), 0, prims_.size()); }
@@ -43,6 +44,7 @@ class RangeSplitter {
   const SceneView& scene_;
   const PrototypeBoxes& prototypes_;
   std::array<std::size_t, kShapeKindCount> first_ids_;
+  BvhQuality quality_;
   HugeArray<BuildPrim> prims_;
   HugeArray<BuildPrim> scratch_;  // for ranges that several threads split together
 };

@@ -9,8 +9,6 @@
 namespace dapple {
 namespace {
 
-constexpr int kBinCount = 16;
-
 // Cost of a leaf, or of what becomes of this many primitives: leaves are tested in blocks.
 constexpr std::size_t kBlock = 16;
 float cost_of(std::size_t count) {
@@ -24,6 +22,7 @@ struct Bin {
 };
 
 // Maps twice the centre of a primitive to a bin on each axis.
+template <int kBinCount>
 struct BinMap {
   Float4 origin, scale;
 
@@ -40,10 +39,11 @@ struct BinMap {
   }
 };
 
+template <int kBinCount>
 struct Bins {
   std::array<std::array<Bin, kBinCount>, 3> axes;
 
-  void fill(std::span<const BuildPrim> prims, const BinMap& map) {
+  void fill(std::span<const BuildPrim> prims, const BinMap<kBinCount>& map) {
     for (const BuildPrim& prim : prims) {
       int index[4];
       ((prim.twice_centre() - map.origin) * map.scale).store_truncated(index);
@@ -66,17 +66,18 @@ struct Bins {
   }
 };
 
-Bins fill_bins(std::span<const BuildPrim> prims, const BinMap& map) {
-  Bins bins;
+template <int kBinCount>
+Bins<kBinCount> fill_bins(std::span<const BuildPrim> prims, const BinMap<kBinCount>& map) {
+  Bins<kBinCount> bins;
   if (prims.size() <= kParallelRange) {
     bins.fill(prims, map);
     return bins;
   }
-  std::vector<Bins> parts((prims.size() + kParallelGrain - 1) / kParallelGrain);
+  std::vector<Bins<kBinCount>> parts((prims.size() + kParallelGrain - 1) / kParallelGrain);
   parallel_for_chunks(prims.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     parts[begin / kParallelGrain].fill(prims.subspan(begin, end - begin), map);
   });
-  for (const Bins& part : parts) bins.merge(part);
+  for (const Bins<kBinCount>& part : parts) bins.merge(part);
   return bins;
 }
 
@@ -87,8 +88,10 @@ struct BestSplit {
 };
 
 // Tries every boundary between the bins of one axis.
-void sweep_axis(const std::array<Bin, kBinCount>& bins, int axis, BestSplit& best) {
-  float right_cost[kBinCount];
+template <std::size_t kBins>
+void sweep_axis(const std::array<Bin, kBins>& bins, int axis, BestSplit& best) {
+  constexpr int kBinCount = static_cast<int>(kBins);
+  float right_cost[kBins];
   Box4 right;
   std::size_t right_count = 0;
   for (int i = kBinCount - 1; i > 0; --i) {
@@ -108,11 +111,10 @@ void sweep_axis(const std::array<Bin, kBinCount>& bins, int axis, BestSplit& bes
   }
 }
 
-}  // namespace
-
+template <int kBinCount>
 std::optional<SahSplit> find_sah_split(std::span<const BuildPrim> prims, const PrimRange& range) {
-  const BinMap map(range.centre_box);
-  const Bins bins = fill_bins(prims.subspan(range.begin, range.size()), map);
+  const BinMap<kBinCount> map(range.centre_box);
+  const Bins<kBinCount> bins = fill_bins(prims.subspan(range.begin, range.size()), map);
   BestSplit best;
   for (int axis = 0; axis < 3; ++axis) {
     sweep_axis(bins.axes[static_cast<std::size_t>(axis)], axis, best);
@@ -122,6 +124,29 @@ std::optional<SahSplit> find_sah_split(std::span<const BuildPrim> prims, const P
   map.origin.store(origin);
   map.scale.store(scale);
   return SahSplit{best.axis, best.bin, origin[best.axis], scale[best.axis]};
+}
+
+std::optional<SahSplit> find_middle(const PrimRange& range) {
+  const BinMap<2> map(range.centre_box);
+  float origin[4], scale[4];
+  map.origin.store(origin);
+  map.scale.store(scale);
+  int axis = 3;
+  for (int i = 0; i < 3; ++i) {
+    // The smaller the scale, the longer the axis; zero where there is no extent.
+    if (scale[i] > 0 && (axis == 3 || scale[i] < scale[axis])) axis = i;
+  }
+  if (axis == 3) return std::nullopt;
+  return SahSplit{axis, 1, origin[axis], scale[axis]};
+}
+
+}  // namespace
+
+std::optional<SahSplit> find_split(std::span<const BuildPrim> prims, const PrimRange& range,
+                                   BvhQuality quality) {
+  if (quality == BvhQuality::low) return find_middle(range);
+  return quality == BvhQuality::medium ? find_sah_split<16>(prims, range)
+                                       : find_sah_split<32>(prims, range);
 }
 
 }  // namespace dapple

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "accel/bvh_quality.h"
 #include "accel/prim_range.h"
 
 namespace dapple {
@@ -20,8 +21,9 @@ struct SahSplit {
   }
 };
 
-// The best split of the three axes; none when all centres coincide.
-[[nodiscard]] std::optional<SahSplit> find_sah_split(std::span<const BuildPrim> prims,
-                                                     const PrimRange& range);
+// The best split of the three axes, or at low quality the middle of the longest; none when all
+// centres coincide.
+[[nodiscard]] std::optional<SahSplit> find_split(std::span<const BuildPrim> prims,
+                                                 const PrimRange& range, BvhQuality quality);
 
 }  // namespace dapple

@@ -6,11 +6,12 @@
 
 namespace dapple {
 
-WideAccel::WideAccel(const SceneView& scene) : prim_count_(scene.object_count()) {
+WideAccel::WideAccel(const SceneView& scene, BvhQuality quality)
+    : prim_count_(scene.object_count()) {
   WideBvhView& bvh = view_;
   bvh = scene.bvh;
   if (bvh.empty()) {
-    built_ = build_wide_bvh(scene);
+    built_ = build_wide_bvh(scene, nullptr, quality);
     bvh = built_.view();
   }
   if (!scene.instances.empty()) {

@@ -10,7 +10,7 @@ namespace dapple {
 class WideAccel final : public Accel {
  public:
   // Uses the scene's finished BVH when it has one, which must then outlive this; else builds.
-  explicit WideAccel(const SceneView& scene);
+  explicit WideAccel(const SceneView& scene, BvhQuality quality = BvhQuality::medium);
 
   using Accel::intersect;
   using Accel::occluded;

@@ -43,8 +43,9 @@ std::size_t add_empty_node(Fragment& fragment) {
 
 class Builder {
  public:
-  Builder(const SceneView& scene, const PrototypeBoxes& prototypes, HugeArray<BuildPrim> prims)
-      : splitter_(scene, prototypes, std::move(prims)) {}
+  Builder(const SceneView& scene, const PrototypeBoxes& prototypes, HugeArray<BuildPrim> prims,
+          BvhQuality quality)
+      : splitter_(scene, prototypes, std::move(prims), quality), quality_(quality) {}
 
   // Splits the child with the largest surface until there are kWideWidth or only small ones.
   void build_top(const PrimRange& range, int depth, Fragment& fragment);
@@ -57,6 +58,7 @@ class Builder {
   void build_below(const BinaryTree& tree, BinaryTree::NodeId id, Fragment& fragment) const;
 
   RangeSplitter splitter_;
+  BvhQuality quality_;
 };
 
 ChildRef Builder::add_leaf(const PrimRange& range, Fragment& fragment) const {
@@ -101,7 +103,7 @@ std::vector<PrimRange> Builder::split_into_children(const PrimRange& range, int 
 
 void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
   if (range.size() <= kTaskPrims && !(depth == 0 && splitter_.is_leaf(range))) {
-    const BinaryTree tree(splitter_, range);
+    const BinaryTree tree(splitter_, range, quality_);
     fragment.rows.reserve(tree.leaf_count() * kMaxLeafRows);
     fragment.nodes.reserve(tree.leaf_count() / 8 + 8);
     build_below(tree, BinaryTree::kRoot, fragment);
@@ -175,12 +177,12 @@ class Joiner {
 };
 
 // What there is to build: the tree of the world, then those of the prototypes.
-std::vector<Fragment> build_trees(const SceneView& scene) {
+std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality) {
   const PrototypeBoxes boxes = prototype_boxes(scene);
   std::vector<Fragment> roots(1 + scene.prototypes.size());
   const auto build = [&](HugeArray<BuildPrim> prims, Fragment& root) {
     if (prims.size() == 0) return;
-    Builder builder(scene, boxes, std::move(prims));
+    Builder builder(scene, boxes, std::move(prims), quality);
     builder.build_top(builder.splitter().whole(), 0, root);
   };
   TaskGroup tasks;
@@ -194,10 +196,10 @@ std::vector<Fragment> build_trees(const SceneView& scene) {
 
 }  // namespace
 
-WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times) {
+WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times, BvhQuality quality) {
   WideBvh bvh;
   const auto build = [&] {
-    std::vector<Fragment> roots = build_trees(scene);
+    std::vector<Fragment> roots = build_trees(scene, quality);
     bvh = Joiner(roots).join();
   };
   run_with_tasks(scene.object_count() + scene.triangles.size(), build, times);

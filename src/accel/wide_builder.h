@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "accel/bvh_quality.h"
 #include "parallel/thread_times.h"
 #include "scene/scene_view.h"
 #include "scene/wide_bvh.h"
@@ -17,10 +18,17 @@ struct WideBvh {
   WideBvhView view() const { return {nodes.span(), rows.span()}; }
 };
 
-// A node is grown by splitting, again and again, the child with the largest surface until it has
-// kWideWidth children or only leaves. The tree is the same for any number of threads.
-// `times`, if given, gets how long each thread was at work.
-[[nodiscard]] WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times = nullptr);
+// A small range becomes a binary tree from which wide nodes are chosen; a node above those is grown
+// by splitting, again and again, the child with the largest surface until it has kWideWidth
+// children or only leaves. The tree is the same for any number of threads. `times`, if given, gets
+// how long each thread was at work.
+[[nodiscard]] WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times = nullptr,
+                                     BvhQuality quality = BvhQuality::medium);
+
+// Gives a tree of the same scene, whose shapes have moved, their new places: leaves keep what they
+// hold, boxes are made anew. Much faster than building; the farther shapes move, the worse the tree
+// fits them. In parallel.
+void refit_wide_bvh(const SceneView& scene, WideBvh& bvh);
 
 // Where the trees of a finished BVH begin: first that of the world, if anything stands in it, then
 // those of the prototypes that have triangles.

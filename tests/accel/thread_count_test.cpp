@@ -33,19 +33,26 @@ std::vector<Scene> scenes() {
   config.shapes = Shapes::rectangles;
   config.odd_share = 0.5;
   result.push_back(nasty_scene(config, 2));
+  config.shapes = Shapes::everything;
+  config.object_count = 4000;
+  result.push_back(nasty_scene(config, 3));
   return result;
 }
 
-TEST(ThreadCounts, TheWideTreeIsTheSameToTheLastByte) {
+constexpr BvhQuality kQualities[] = {BvhQuality::low, BvhQuality::medium, BvhQuality::high};
+
+class TreesOfEachQuality : public ::testing::TestWithParam<BvhQuality> {};
+
+TEST_P(TreesOfEachQuality, AreTheSameToTheLastByte) {
   for (const Scene& scene : scenes()) {
     WideBvh alone;
     {
       const ThreadCount one(1);
-      alone = build_wide_bvh(scene);
+      alone = build_wide_bvh(scene, nullptr, GetParam());
     }
     for (const int count : kThreadCounts) {
       const ThreadCount threads(count);
-      const WideBvh built = build_wide_bvh(scene);
+      const WideBvh built = build_wide_bvh(scene, nullptr, GetParam());
       const auto expected = alone.view(), actual = built.view();
       ASSERT_EQ(actual.nodes.size(), expected.nodes.size());
       ASSERT_EQ(actual.rows.size(), expected.rows.size());
@@ -56,6 +63,8 @@ TEST(ThreadCounts, TheWideTreeIsTheSameToTheLastByte) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Qualities, TreesOfEachQuality, ::testing::ValuesIn(kQualities));
 
 TEST(ThreadCounts, HitsAndStatisticsOfEveryStructureAreTheSame) {
   for (const Scene& scene : scenes()) {

@@ -54,6 +54,16 @@ TEST(Tables, AccelChoicesAreTheAccels) {
   }
 }
 
+TEST(Tables, QualityChoicesAreTheQualities) {
+  for (const CommandInfo* command : all_commands()) {
+    for (const OptionInfo& option : command->options) {
+      if (option.name != "bvh-quality") continue;
+      for (const std::string_view choice : option.choices) EXPECT_TRUE(parse_bvh_quality(choice));
+      EXPECT_EQ(option.choices.size(), kBvhQualityNames.size());
+    }
+  }
+}
+
 // "NAME=value dapple render nice -o x.png | other": the words after the command's name.
 Words example_words(const CommandInfo& command, const Example& example) {
   std::istringstream stream{std::string(example.command)};
