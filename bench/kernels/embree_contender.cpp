@@ -22,8 +22,14 @@ void EmbreeContender::build(const SceneView& scene) {
   rtcSetSceneBuildQuality(scene_, quality_);
   attach_spheres(device_, scene_, scene, quality_);
   attach_rectangles(device_, scene_, scene, quality_);
+  attach_triangles(device_, scene_, scene, quality_);
   rtcCommitScene(scene_);
-  first_quad_id_ = static_cast<PrimId>(scene.spheres.size());
+  const auto ids = first_prim_ids(scene);
+  const auto first = [&](ShapeKind kind) {
+    return static_cast<PrimId>(ids[static_cast<std::size_t>(kind)]);
+  };
+  first_ids_[kQuadGeometry] = first(ShapeKind::xy_rectangle);
+  first_ids_[kTriangleGeometry] = first(ShapeKind::triangle);
 }
 
 void EmbreeContender::discard() {
@@ -39,7 +45,7 @@ std::size_t EmbreeContender::bytes() const { return static_cast<std::size_t>(byt
 
 std::vector<std::unique_ptr<Tracer>> EmbreeContender::tracers(std::span<const Ray> rays,
                                                               Query query) const {
-  return make_embree_tracers(scene_, rays, query, first_quad_id_);
+  return make_embree_tracers(scene_, rays, query, first_ids_);
 }
 
 }  // namespace dapple::bench

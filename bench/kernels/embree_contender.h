@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "kernels/embree_geometry.h"
 #include "kernels/tracer.h"
 
 namespace dapple::bench {
@@ -30,7 +31,7 @@ class EmbreeContender final : public Contender {
   RTCBuildQuality quality_;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
-  PrimId first_quad_id_ = 0;
+  FirstIds first_ids_{};
   std::atomic<std::int64_t> bytes_{0};  // what the device has allocated
 };
 

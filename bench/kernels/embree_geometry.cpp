@@ -1,5 +1,7 @@
 #include "kernels/embree_geometry.h"
 
+#include <algorithm>
+
 #include "parallel/parallel.h"
 
 namespace dapple::bench {
@@ -59,7 +61,8 @@ void attach_spheres(RTCDevice device, RTCScene scene, const SceneView& view,
 
 void attach_rectangles(RTCDevice device, RTCScene scene, const SceneView& view,
                        RTCBuildQuality quality) {
-  const std::size_t count = view.object_count() - view.spheres.size();
+  std::size_t count = 0;
+  for (const auto& of_kind : view.rectangles) count += of_kind.size();
   if (count == 0) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
   auto* quads = new_buffer<QuadCorners>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
@@ -73,6 +76,23 @@ void attach_rectangles(RTCDevice device, RTCScene scene, const SceneView& view,
     }
   }
   attach(scene, geometry, kQuadGeometry, quality);
+}
+
+// Embree reads sixteen bytes at the last vertex, four of which may not be ours: positions are
+// copied.
+void attach_triangles(RTCDevice device, RTCScene scene, const SceneView& view,
+                      RTCBuildQuality quality) {
+  const std::size_t count = view.object_count(ShapeKind::triangle);
+  if (count == 0) return;
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const auto positions = view.vertices.positions;
+  auto* vertices = new_buffer<Vec3f>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
+                                     sizeof(Vec3f), positions.size());
+  std::copy(positions.begin(), positions.end(), vertices);
+  auto* indices = new_buffer<Triangle>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+                                       sizeof(Triangle), count);
+  std::copy_n(view.triangles.begin(), count, indices);
+  attach(scene, geometry, kTriangleGeometry, quality);
 }
 
 }  // namespace dapple::bench

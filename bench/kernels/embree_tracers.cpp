@@ -24,9 +24,9 @@ RTCIntersectContext context_of(Promise promise) {
 
 const char* suffix(Promise promise) { return promise == Promise::coherent ? "c" : "i"; }
 
-Found found_of(float t_far, unsigned geometry, unsigned prim, PrimId first_quad_id) {
+Found found_of(float t_far, unsigned geometry, unsigned prim, const FirstIds& first_ids) {
   if (geometry == RTC_INVALID_GEOMETRY_ID) return {t_far, kNoPrim};
-  return {t_far, geometry == kQuadGeometry ? first_quad_id + prim : prim};
+  return {t_far, first_ids[geometry] + prim};
 }
 
 // Embree marks an occluded ray with a negative end.
@@ -53,8 +53,8 @@ RTCRay to_embree(const Ray& ray) {
 template <class Record>
 class RecordTracer : public Tracer {
  public:
-  RecordTracer(RTCScene scene, std::span<const Ray> rays, PrimId first_quad_id)
-      : scene_(scene), rays_(rays), first_quad_id_(first_quad_id) {}
+  RecordTracer(RTCScene scene, std::span<const Ray> rays, const FirstIds& first_ids)
+      : scene_(scene), rays_(rays), first_ids_(first_ids) {}
 
   void reset() override {
     records_.resize(rays_.size());
@@ -73,7 +73,7 @@ class RecordTracer : public Tracer {
     for (const Record& record : records_) {
       if constexpr (kClosest) {
         result.push_back(
-            found_of(record.ray.tfar, record.hit.geomID, record.hit.primID, first_quad_id_));
+            found_of(record.ray.tfar, record.hit.geomID, record.hit.primID, first_ids_));
       } else {
         result.push_back(found_of_occluded(record.tfar));
       }
@@ -87,7 +87,7 @@ class RecordTracer : public Tracer {
   RTCScene scene_;
   std::span<const Ray> rays_;
   std::vector<Record> records_;
-  PrimId first_quad_id_;
+  FirstIds first_ids_;
 };
 
 template <class Record>
@@ -112,8 +112,9 @@ class SingleTracer final : public RecordTracer<Record> {
 template <class Record>
 class StreamTracer final : public RecordTracer<Record> {
  public:
-  StreamTracer(RTCScene scene, std::span<const Ray> rays, PrimId first_quad_id, Promise promise)
-      : RecordTracer<Record>(scene, rays, first_quad_id), promise_(promise) {}
+  StreamTracer(RTCScene scene, std::span<const Ray> rays, const FirstIds& first_ids,
+               Promise promise)
+      : RecordTracer<Record>(scene, rays, first_ids), promise_(promise) {}
   std::string name() const override { return fmt::format("Embree 1M {}", suffix(promise_)); }
   void trace() override {
     for_each_piece(this->records_.size(), [&](std::size_t begin, std::size_t end) {
@@ -159,8 +160,9 @@ auto& rays_of(Packet& packet) {
 template <class Packet, std::size_t kWidth>
 class PacketTracer final : public Tracer {
  public:
-  PacketTracer(RTCScene scene, std::span<const Ray> rays, PrimId first_quad_id, Promise promise)
-      : scene_(scene), rays_(rays), first_quad_id_(first_quad_id), promise_(promise) {}
+  PacketTracer(RTCScene scene, std::span<const Ray> rays, const FirstIds& first_ids,
+               Promise promise)
+      : scene_(scene), rays_(rays), first_ids_(first_ids), promise_(promise) {}
 
   std::string name() const override {
     return fmt::format("Embree {} {}", kWidth, suffix(promise_));
@@ -190,7 +192,7 @@ class PacketTracer final : public Tracer {
       const std::size_t lane = i % kWidth;
       if constexpr (requires { packet.hit; }) {
         result.push_back(found_of(packet.ray.tfar[lane], packet.hit.geomID[lane],
-                                  packet.hit.primID[lane], first_quad_id_));
+                                  packet.hit.primID[lane], first_ids_));
       } else {
         result.push_back(found_of_occluded(packet.tfar[lane]));
       }
@@ -227,18 +229,18 @@ class PacketTracer final : public Tracer {
   RTCScene scene_;
   std::span<const Ray> rays_;
   std::vector<Packet> packets_;
-  PrimId first_quad_id_;
+  FirstIds first_ids_;
   Promise promise_;
 };
 
 template <class Record, class Packet8, class Packet16>
 std::vector<std::unique_ptr<Tracer>> all_modes(RTCScene scene, std::span<const Ray> rays,
-                                               PrimId first_quad_id) {
+                                               const FirstIds& first_ids) {
   std::vector<std::unique_ptr<Tracer>> result;
-  result.push_back(std::make_unique<SingleTracer<Record>>(scene, rays, first_quad_id));
+  result.push_back(std::make_unique<SingleTracer<Record>>(scene, rays, first_ids));
   for (const Promise promise : {Promise::incoherent, Promise::coherent}) {
     const auto add = [&]<class Mode>(std::type_identity<Mode>) {
-      result.push_back(std::make_unique<Mode>(scene, rays, first_quad_id, promise));
+      result.push_back(std::make_unique<Mode>(scene, rays, first_ids, promise));
     };
     add(std::type_identity<StreamTracer<Record>>{});
     add(std::type_identity<PacketTracer<Packet8, 8>>{});
@@ -250,10 +252,10 @@ std::vector<std::unique_ptr<Tracer>> all_modes(RTCScene scene, std::span<const R
 }  // namespace
 
 std::vector<std::unique_ptr<Tracer>> make_embree_tracers(RTCScene scene, std::span<const Ray> rays,
-                                                         Query query, PrimId first_quad_id) {
+                                                         Query query, const FirstIds& first_ids) {
   return query == Query::closest
-             ? all_modes<RTCRayHit, RTCRayHit8, RTCRayHit16>(scene, rays, first_quad_id)
-             : all_modes<RTCRay, RTCRay8, RTCRay16>(scene, rays, first_quad_id);
+             ? all_modes<RTCRayHit, RTCRayHit8, RTCRayHit16>(scene, rays, first_ids)
+             : all_modes<RTCRay, RTCRay8, RTCRay16>(scene, rays, first_ids);
 }
 
 }  // namespace dapple::bench

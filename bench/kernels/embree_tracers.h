@@ -4,6 +4,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "kernels/embree_geometry.h"
 #include "kernels/tracer.h"
 
 namespace dapple::bench {
@@ -13,6 +14,6 @@ namespace dapple::bench {
 [[nodiscard]] std::vector<std::unique_ptr<Tracer>> make_embree_tracers(RTCScene scene,
                                                                        std::span<const Ray> rays,
                                                                        Query query,
-                                                                       PrimId first_quad_id);
+                                                                       const FirstIds& first_ids);
 
 }  // namespace dapple::bench

@@ -1,6 +1,7 @@
 #include "kernels/exact_hit.h"
 
 #include <cmath>
+#include <limits>
 
 #include "kernels/surface.h"
 
@@ -60,11 +61,40 @@ ExactHit exact_rectangle(const Ray& ray, RectangleAxes axes, const Rectangle& r)
   return margin < 0 ? ExactHit{Verdict::miss, t, error} : judge(ray, t, error);
 }
 
+// By the plane and then the three sides; near a side single precision may say either.
+ExactHit exact_triangle(const Ray& ray, const SceneView& scene, const Triangle& triangle) {
+  Vec3d p[3];
+  double size = max_abs_component(Vec3d(ray.origin));
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = Vec3d(scene.vertices.positions[triangle.vertices[i]]);
+    size = std::fmax(size, max_abs_component(p[i]));
+  }
+  const Vec3d direction(ray.direction), normal = cross(p[1] - p[0], p[2] - p[0]);
+  const double area = length(normal), slope = std::fabs(dot(direction, normal));
+  const double t = dot(p[0] - Vec3d(ray.origin), normal) / dot(direction, normal);
+  const double shift = kUnits * size;
+  const double error = shift * area / slope;
+  if (!(slope > 0) || !std::isfinite(error)) return {Verdict::borderline, t, error};
+  const Vec3d at = Vec3d(ray.origin) + t * direction;
+  double margin = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3d side = p[(i + 1) % 3] - p[i];
+    margin = std::fmin(margin, dot(cross(side, at - p[i]), normal) / (length(side) * area));
+  }
+  if (!(std::fabs(margin) > shift + error * length(direction))) {
+    return {Verdict::borderline, t, error};
+  }
+  return margin < 0 ? ExactHit{Verdict::miss, t, error} : judge(ray, t, error);
+}
+
 }  // namespace
 
 ExactHit exact_hit(const SceneView& scene, const Ray& ray, PrimId prim) {
   const ShapeRef shape = shape_of(scene, prim);
   if (shape.kind == ShapeKind::sphere) return exact_sphere(ray, scene.spheres[shape.index]);
+  if (shape.kind == ShapeKind::triangle) {
+    return exact_triangle(ray, scene, scene.triangles[shape.index]);
+  }
   return exact_rectangle(ray, rectangle_axes(shape.kind),
                          scene.rectangles[rectangle_index(shape.kind)][shape.index]);
 }

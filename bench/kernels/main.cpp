@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "harness/command_line.h"
+#include "kernels/mesh_scenes.h"
 #include "kernels/peers.h"
 #include "scene_file/scene_source.h"
 
@@ -9,7 +10,9 @@ namespace dapple::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> scenes = {"irreg:50", "irreg:1000", "spheres:1000000"};
+  std::vector<std::string> scenes = {"irreg:50",    "irreg:1000",     "spheres:1000000",
+                                     "bumps:70000", "bumps:1000000",  "city:700000",
+                                     "soup:500000", "interior:300000"};
   std::string cores = "both";
   std::string accel = "fast";
   std::string only;
@@ -22,7 +25,9 @@ struct Options {
 
 std::optional<int> read(int argc, char** argv, Options& o) {
   CommandLine line("Builds and traverses scenes with dapple and its peers, in turn.");
-  line.add_positional("scenes", "scene names or files", o.scenes);
+  line.add_positional("scenes",
+                      "scene names or files, or bumps:N, city:N, soup:N, interior:N for meshes",
+                      o.scenes);
   line.add("--cores", "one, all or both", o.cores);
   line.add("--accel", "dapple's structure: fast, median or linear", o.accel);
   line.add("--only", "one contender: dapple or embree", o.only);
@@ -42,11 +47,8 @@ Expected<std::vector<Cores>> parse_cores(const std::string& name) {
   return fail(Errc::usage, "--cores", "one, all or both");
 }
 
-Status measure(const std::string& name, const Options& options, std::span<const Cores> all_cores,
-               Report& report) {
-  const auto source = SceneSource::open(name);
-  if (!source) return tl::unexpected(source.error());
-  const SceneView& scene = source->view();
+Status measure(const std::string& name, const SceneView& scene, const Options& options,
+               std::span<const Cores> all_cores, Report& report) {
   const auto contenders = make_contenders(options.accel, options.only, options.quality);
   if (!contenders) return tl::unexpected(contenders.error());
 
@@ -64,6 +66,16 @@ Status measure(const std::string& name, const Options& options, std::span<const 
   }
   compare_hits(name, scene, sets, *contenders, report);
   return {};
+}
+
+Status measure(const std::string& name, const Options& options, std::span<const Cores> all_cores,
+               Report& report) {
+  const auto mesh = make_mesh_scene(name);
+  if (!mesh) return tl::unexpected(mesh.error());
+  if (*mesh) return measure(name, SceneView(**mesh), options, all_cores, report);
+  const auto source = SceneSource::open(name);
+  if (!source) return tl::unexpected(source.error());
+  return measure(name, source->view(), options, all_cores, report);
 }
 
 Status run(const Options& options) {

@@ -1,5 +1,7 @@
 #include "kernels/surface.h"
 
+#include <cmath>
+
 #include "scene/prims.h"
 
 namespace dapple::bench {
@@ -29,6 +31,27 @@ Point on_rectangle(RectangleAxes axes, const Rectangle& rectangle, Vec3f positio
   return {position, outward, kRelativeError * max_abs_component(position)};
 }
 
+Point on_triangle(const SceneView& scene, const Triangle& triangle, const Vec3f& near_surface) {
+  const auto corner = [&](std::size_t i) {
+    return Vec3d(scene.vertices.positions[triangle.vertices[i]]);
+  };
+  const Vec3d normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+  const double squared = dot(normal, normal);
+  const double off = squared > 0 ? dot(Vec3d(near_surface) - corner(0), normal) / squared : 0;
+  const Vec3f position(Vec3d(near_surface) - off * normal);
+  const Vec3f outward(squared > 0 ? normal / std::sqrt(squared) : Vec3d(0, 1, 0));
+  return {position, outward, 2 * kRelativeError * max_abs_component(position)};
+}
+
+Point point_on(const SceneView& scene, const ShapeRef& shape, const Vec3f& near_surface) {
+  if (shape.kind == ShapeKind::sphere) return on_sphere(scene.spheres[shape.index], near_surface);
+  if (shape.kind == ShapeKind::triangle) {
+    return on_triangle(scene, scene.triangles[shape.index], near_surface);
+  }
+  return on_rectangle(rectangle_axes(shape.kind),
+                      scene.rectangles[rectangle_index(shape.kind)][shape.index], near_surface);
+}
+
 }  // namespace
 
 ShapeRef shape_of(const SceneView& scene, PrimId prim) {
@@ -43,24 +66,11 @@ ShapeRef shape_of(const SceneView& scene, PrimId prim) {
 Surface surface_at(const SceneView& scene, const Ray& ray, const Found& found) {
   const ShapeRef shape = shape_of(scene, found.prim);
   const Vec3f near_surface = ray.at(found.t);
-  const Point at =
-      shape.kind == ShapeKind::sphere
-          ? on_sphere(scene.spheres[shape.index], near_surface)
-          : on_rectangle(rectangle_axes(shape.kind),
-                         scene.rectangles[rectangle_index(shape.kind)][shape.index], near_surface);
+  const Point at = point_on(scene, shape, near_surface);
   const Vec3f normal = dot(ray.direction, at.outward) < 0.0f ? at.outward : -at.outward;
   return {at.position + at.error * normal, normal};
 }
 
-Bounds3f scene_bounds(const SceneView& scene) {
-  Bounds3f box;
-  for (const Sphere& sphere : scene.spheres) box.extend(sphere_bounds(sphere));
-  for (std::size_t k = 0; k < kRectangleKindCount; ++k) {
-    for (const Rectangle& rectangle : scene.rectangles[k]) {
-      box.extend(rectangle_bounds(rectangle_kind(k), rectangle));
-    }
-  }
-  return box;
-}
+Bounds3f scene_bounds(const SceneView& scene) { return dapple::scene_bounds(scene); }
 
 }  // namespace dapple::bench
