@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "accel/kernels/dispatch.h"
@@ -144,6 +145,19 @@ float exposure_for(const Arguments& arguments, const SceneView& scene, const Ima
   return scene.environment.kind == EnvironmentKind::none ? automatic_exposure(image) : 0.0f;
 }
 
+// Names that promise a format we do not write: a PPM file of that name would be a trap.
+Status check_format(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension();
+  for (const std::string_view other :
+       {".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp", ".gif", ".JPG", ".JPEG"}) {
+    if (ending == other) {
+      return fail(Errc::usage, path,
+                  "this format is not written; use .png, .exr, .hdr, .pfm or .ppm");
+    }
+  }
+  return {};
+}
+
 // The view that the command line asks for.
 Expected<EditedView> view_of(const SceneInput& input, const Arguments& arguments) {
   auto options = view_options_from(arguments);
@@ -165,6 +179,7 @@ Expected<int> run_render(const Arguments& arguments) {
   report.bvh_quality = parse_bvh_quality(arguments.text("bvh-quality")).value();
   if (auto status = validate(settings_from(arguments, true))
                         .and_then([&] { return set_up_computing(arguments); })
+                        .and_then([&] { return check_format(output); })
                         .and_then([&] { return check_output(output); });
       !status) {
     return tl::unexpected(status.error());

@@ -39,7 +39,14 @@ constexpr Directions directions(int dimension) {
   return v;
 }
 
-// What each byte of an index contributes, so that a point takes four look-ups.
+constexpr std::uint32_t reversed(std::uint32_t x) {
+  std::uint32_t result = 0;
+  for (int i = 0; i < 32; ++i) result |= (x >> i & 1) << (31 - i);
+  return result;
+}
+
+// What each byte of an index contributes, so that a point takes four look-ups; with reversed bits,
+// as scrambling wants them.
 using ByteTable = std::array<std::array<std::uint32_t, 256>, 4>;
 
 constexpr ByteTable byte_table(int dimension) {
@@ -47,11 +54,11 @@ constexpr ByteTable byte_table(int dimension) {
   ByteTable table{};
   for (int byte = 0; byte < 4; ++byte) {
     for (int value = 0; value < 256; ++value) {
-      std::uint32_t sum = 0;
+      std::uint32_t sum = 0;  // lowest bit first
       for (int bit = 0; bit < 8; ++bit) {
         if (value >> bit & 1) sum ^= v[8 * byte + bit];
       }
-      table[byte][value] = sum;
+      table[byte][value] = reversed(sum);
     }
   }
   return table;
@@ -62,8 +69,8 @@ inline constexpr std::array<ByteTable, kSobolDimensions> kTables = {byte_table(0
 
 }  // namespace sobol_detail
 
-// Point `index` of the sequence in one dimension, in steps of 2^-32.
-constexpr std::uint32_t sobol(std::uint32_t index, int dimension) {
+// Point `index` of the sequence in one dimension, in steps of 2^-32, with reversed bits.
+constexpr std::uint32_t reversed_sobol(std::uint32_t index, int dimension) {
   const auto& table = sobol_detail::kTables[static_cast<std::size_t>(dimension)];
   return table[0][index & 255] ^ table[1][index >> 8 & 255] ^ table[2][index >> 16 & 255] ^
          table[3][index >> 24];
@@ -87,9 +94,10 @@ constexpr std::uint32_t permute_upwards(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-// Owen's scrambling: each bit is flipped or not as the higher bits say.
-constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-  return reverse_bits(permute_upwards(reverse_bits(x), seed));
+// Owen's scrambling, of a word given with reversed bits: each bit is flipped or not as the higher
+// ones say.
+constexpr std::uint32_t owen_scramble_reversed(std::uint32_t reversed, std::uint32_t seed) {
+  return reverse_bits(permute_upwards(reversed, seed));
 }
 
 // A well mixed word out of two (the finaliser of MurmurHash3 twice).

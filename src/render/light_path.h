@@ -5,6 +5,7 @@
 
 #include "math/ray.h"
 #include "math/vec3.h"
+#include "render/path_sampler.h"
 #include "scene/material.h"
 #include "shading/material_evaluator.h"
 
@@ -24,7 +25,7 @@ struct LightPath {
   float cone_width = 0;
   float cone_spread = 0;  // growth of the width along the ray
   float alpha = 0;        // 1 once the path met something
-  std::uint32_t x = 0, y = 0, sample = 0;
+  PathSampler::Place sample;
   std::uint32_t pixel = 0;      // of the tile
   MaterialId medium = kVacuum;  // whose inside the ray is in
   std::uint16_t scatterings = 0;

@@ -58,9 +58,8 @@ void LightPaths::start(SampleRange samples, const Tile& tile, Batch& batch) cons
 
 void LightPaths::start_one(int x, int y, int sample, const Tile& tile, Batch& batch) const {
   LightPath path;
-  path.x = static_cast<std::uint32_t>(x);
-  path.y = static_cast<std::uint32_t>(y);
-  path.sample = static_cast<std::uint32_t>(sample);
+  path.sample = sampler_.place(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                               static_cast<std::uint32_t>(sample));
   path.pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + (x - tile.x0));
   path.cone_width = pixel_width_;
   path.cone_spread = pixel_spread_;
@@ -71,7 +70,8 @@ void LightPaths::start_one(int x, int y, int sample, const Tile& tile, Batch& ba
   Ray ray = camera_.generate(x, y, u);
   ray.t_min = 0;
   ray.direction = normalize(ray.direction);
-  path.dispersion.channel = static_cast<int>(mix(mix(path.x, path.y), path.sample) % 3);
+  path.dispersion.channel =
+      static_cast<int>(mix(path.sample.block, path.sample.reversed_position) % 3);
   batch.paths.push_back(path);
   batch.rays.push_back(ray);
 }

@@ -33,22 +33,29 @@ PathSampler::PathSampler(int samples_per_pixel, std::uint64_t seed)
       pixel_bits_(std::clamp((32 - sample_bits_) / 2, 0, 8)),
       seed_(seed) {}
 
-std::array<float, 4> PathSampler::uniform4(std::uint32_t x, std::uint32_t y, std::uint32_t sample,
-                                           std::uint32_t dimension) const {
+PathSampler::Place PathSampler::place(std::uint32_t x, std::uint32_t y,
+                                      std::uint32_t sample) const {
   const std::uint32_t morton = spread(low_bits(x, pixel_bits_)) | spread(low_bits(y, pixel_bits_))
                                                                       << 1;
   const std::uint32_t position = morton << sample_bits_ | sample;
   const auto seed_low = static_cast<std::uint32_t>(seed_);
   const auto seed_high = static_cast<std::uint32_t>(seed_ >> 32);
-  const std::uint32_t block = mix(x >> pixel_bits_, mix(y >> pixel_bits_, seed_high));
-  const std::uint32_t sequence = mix(block ^ seed_low, dimension);
+  Place place;
+  place.block = mix(x >> pixel_bits_, mix(y >> pixel_bits_, seed_high)) ^ seed_low;
+  place.reversed_position = reverse_bits(position << unused_bits());
+  return place;
+}
+
+std::array<float, 4> PathSampler::uniform4(const Place& place, std::uint32_t dimension) const {
+  const std::uint32_t sequence = mix(place.block, dimension);
   // The bits above those in use must stay zero, or the order would be shuffled beyond its end.
-  const int unused = 32 - sample_bits_ - 2 * pixel_bits_;
-  const std::uint32_t index = owen_scramble(position << unused, sequence) >> unused;
+  const std::uint32_t index =
+      owen_scramble_reversed(place.reversed_position, sequence) >> unused_bits();
   std::array<float, 4> u;
   for (int i = 0; i < kSobolDimensions; ++i) {
     const auto scramble = mix(sequence, static_cast<std::uint32_t>(i) + 1);
-    u[static_cast<std::size_t>(i)] = to_unit(owen_scramble(sobol(index, i), scramble));
+    u[static_cast<std::size_t>(i)] =
+        to_unit(owen_scramble_reversed(reversed_sobol(index, i), scramble));
   }
   return u;
 }

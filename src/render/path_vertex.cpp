@@ -36,7 +36,7 @@ Vec3f leave_surface(const Surface& surface, const Vec3f& wi) {
 std::array<float, 4> PathVertices::numbers(const LightPath& path, Decision decision) const {
   const auto dimension = path.vertices * static_cast<std::uint32_t>(Decision::count) +
                          static_cast<std::uint32_t>(decision);
-  return sampler_.uniform4(path.x, path.y, path.sample, dimension);
+  return sampler_.uniform4(path.sample, dimension);
 }
 
 void PathVertices::add(const Vec3f& radiance, LightPath& path) const {

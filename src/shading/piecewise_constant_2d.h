@@ -1,10 +1,15 @@
-// Sampling of the unit square by a density that is constant in each cell of a grid.
+// Sampling of the unit square by a density that is constant in each cell of a grid, by inverting
+// its cumulative distributions. A table of guides [ChenA74] says near which cell to look, which
+// takes two or three memory accesses where a binary search takes ten.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "math/vec2.h"
+#include "util/huge_array.h"
 
 namespace dapple {
 
@@ -22,9 +27,15 @@ class PiecewiseConstant2d {
   float pdf(Vec2f point) const;
 
  private:
+  std::span<const float> cdf_of_row(std::size_t y) const;
+  std::span<const std::uint32_t> guides_of_row(std::size_t y) const;
+
   std::size_t columns_ = 0, rows_ = 0;
-  std::vector<float> row_cdf_;   // rows_ + 1 values from 0 to 1
-  std::vector<float> cell_cdf_;  // columns_ + 1 values a row
+  // One distribution after the other: that of the rows, rows_ + 1 values from 0 to 1, then of each
+  // row's cells, columns_ + 1 values. Element i of a distribution's guides is the last cell that
+  // begins at or before i over their number.
+  HugeArray<float> cdfs_;
+  HugeArray<std::uint32_t> guides_;
 };
 
 }  // namespace dapple
