@@ -194,7 +194,7 @@ DAPPLE_API_NAMESPACE {
    public:
     Scene() noexcept;  // no objects; the default camera
 
-    // One of the named scenes (`nice`, `irreg:100`, ...) or else a scene file.
+    // One of the named scenes (`nice`, `irreg:100`, ...), or else a scene file or a model.
     static Result<Scene> open(const std::string& name_or_path) noexcept;
 
     Result<MaterialId> add_material(const Material& material) noexcept;

@@ -2,7 +2,7 @@
 """Renders scenarios with dapple and compares them with reference pictures.
 
     compare.py SCENARIOS.json --models DIR --references DIR [--dapple PATH] [--only NAME]...
-               [--spp N] [--out DIR]
+               [--spp N] [--out DIR] [-- RENDER-OPTION...]
 
 SCENARIOS.json is a list of scenarios as model viewers use for fidelity tests: model, lighting,
 dimensions, target, orbit (degrees), renderSkybox. Each is rendered to OUT/NAME.exr unless that file
@@ -142,8 +142,11 @@ def main():
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--spp", type=int, default=64)
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("references"))
-    parser.add_argument("extra", nargs="*", help="further options of dapple render, after --")
-    arguments = parser.parse_args()
+    parser.epilog = "Further options of dapple render follow --."
+    own = sys.argv[1:]
+    split = own.index("--") if "--" in own else len(own)
+    arguments = parser.parse_args(own[:split])
+    arguments.extra = own[split + 1:]
     arguments.out.mkdir(parents=True, exist_ok=True)
     panels, failures = [], 0
     for scenario in json.loads(arguments.scenarios.read_text()):
