@@ -63,8 +63,7 @@ void LightPaths::start_one(int x, int y, int sample, const Tile& tile, Batch& ba
   path.pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + (x - tile.x0));
   path.cone_width = pixel_width_;
   path.cone_spread = pixel_spread_;
-  auto u =
-      sampler_.uniform4(path.x, path.y, path.sample, static_cast<std::uint32_t>(Decision::camera));
+  auto u = sampler_.uniform4(path.sample, static_cast<std::uint32_t>(Decision::camera));
   u[0] = filter_.place(u[0]);
   u[1] = filter_.place(u[1]);
   Ray ray = camera_.generate(x, y, u);
