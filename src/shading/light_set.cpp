@@ -160,7 +160,9 @@ std::optional<LightSample> LightSet::sample_near(const Vec3f& position, const Ve
   }
   const auto point = shapes_.sample(light.emitter, position, u);
   if (!point) return std::nullopt;
-  const Vec3f radiance = materials_->emission(shapes_.material(light.emitter), point->surface);
+  SurfaceInteraction at = point->surface;
+  at.from_outside = dot(point->wi, at.geometric_normal) < 0;
+  const Vec3f radiance = materials_->emission(shapes_.material(light.emitter), at);
   return LightSample{point->wi, point->distance, radiance, point->pdf * choice->probability, false};
 }
 

@@ -40,6 +40,7 @@ bool MaterialEvaluator::may_be_transparent(MaterialId material) const {
 Vec3f MaterialEvaluator::emission(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr || m->emission == Vec3f()) return {};
+  if (m->double_sided == 0 && !at.from_outside) return {};
   return m->emission * textures_.lookup(m->map(MapUse::emissive), MapUse::emissive, at).xyz();
 }
 

@@ -23,7 +23,7 @@ class MaterialEvaluator {
   float opacity(MaterialId material, const SurfaceInteraction& at) const;
   bool may_be_transparent(MaterialId material) const;  // false: opacity is always 1
 
-  // Radiance, the same from both sides and in every direction.
+  // Radiance, the same in every direction; from behind only if the material is double-sided.
   Vec3f emission(MaterialId material, const SurfaceInteraction& at) const;
   bool is_emissive(MaterialId material) const;
   Vec3f greatest_emission(MaterialId material) const;  // where its texture is white

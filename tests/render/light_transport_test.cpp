@@ -84,6 +84,22 @@ TEST(LightTransport, DirectLightOfARectangle) {
   EXPECT_NEAR(mean_of(render_lit(scene, picture).image), expected, 0.01 * expected);
 }
 
+// A one-sided lamp lights only what its outward side sees.
+TEST(LightTransport, OneSidedEmittersAreDarkBehind) {
+  Scene scene = empty_lit_scene(0.01, 1);
+  add_wall(scene, add_diffuse(scene, 0.8f));
+  const MaterialId lamp = add_emitter(scene, 2);
+  scene.layered_materials.back().double_sided = 0;
+  // The outward side of an xy rectangle is +z, away from the wall.
+  scene.add_rectangle(ShapeKind::xy_rectangle, {-4, 4, -4, 4, 5}, lamp);
+  LitPicture picture;
+  picture.max_scatterings = 1;
+  EXPECT_EQ(mean_of(render_lit(scene, picture).image), 0);
+  scene.rectangles[0][1].k = -5;  // behind the wall, shining at its back
+  scene.camera.look_from = {0, 0, -1};
+  EXPECT_GT(mean_of(render_lit(scene, picture).image), 0.1);
+}
+
 TEST(LightTransport, PointLightFallsWithTheSquareOfTheDistance) {
   Scene scene = empty_lit_scene(0.01);
   add_wall(scene, add_diffuse(scene, 0.8f));
