@@ -119,7 +119,7 @@ for scene in nice rgbbox irreg spheres:200000; do
       printf "%s", head
       for (i = 1; i <= 4; ++i) {
         each = ($(i + 4) - $i) / $NF
-        printf ",%.4g", each > 0 ? each : 0 # starting up does not miss as often each time
+        printf ",%.4g", (each > 0 ? each : 0) # starting up does not miss as often each time
       }
       print "" }'
   done
