@@ -31,7 +31,7 @@ class PreparedScene {
   SceneView scene_;
   std::array<std::size_t, kShapeKindCount> first_ids_;
   std::unique_ptr<Accel> accel_;
-  std::vector<MaterialRecord> materials_;
+  std::vector<PackedMaterial> materials_;
   std::unique_ptr<LitScene> lit_;
 };
 

@@ -12,15 +12,15 @@ namespace dapple {
 // In the order of Material's alternatives.
 enum class MaterialKind : std::uint32_t { lambertian, metal, dielectric };
 
-struct MaterialRecord {
+struct PackedMaterial {
   Vec3f albedo{1, 1, 1};  // white for a dielectric
   float fuzz = 0;
   float ref_idx = 1;
   MaterialKind kind = MaterialKind::lambertian;
   std::uint32_t unused[2] = {};
 };
-static_assert(sizeof(MaterialRecord) == 32, "gathers count in words of a record");
+static_assert(sizeof(PackedMaterial) == 32, "gathers count in words of a record");
 
-[[nodiscard]] std::vector<MaterialRecord> material_records(std::span<const Material> materials);
+[[nodiscard]] std::vector<PackedMaterial> material_records(std::span<const Material> materials);
 
 }  // namespace dapple

@@ -32,7 +32,7 @@ struct ScatteredVec {
 };
 
 // Materials ids[i] of the records; ids of lanes that do not count are any in range.
-HWY_INLINE MaterialVec load_materials(const MaterialRecord* records, WordVec ids) {
+HWY_INLINE MaterialVec load_materials(const PackedMaterial* records, WordVec ids) {
   // Records 2^28 and on are out of a gather's reach: 8 GiB of them.
   const auto* words = reinterpret_cast<const std::uint32_t*>(records);
   const WordVec index = hn::ShiftLeft<3>(ids);

@@ -38,7 +38,7 @@ inline constexpr std::size_t kPathPadding = 32;
 struct SurfaceView {
   const LeafRow* leaf_rows = nullptr;
   const PlacedInstance* instances = nullptr;
-  const MaterialRecord* materials = nullptr;
+  const PackedMaterial* materials = nullptr;
   std::size_t material_count = 0;
   std::array<const MaterialId*, kShapeKindCount> materials_of = {};
   std::array<PrimId, kShapeKindCount> first_ids = {};

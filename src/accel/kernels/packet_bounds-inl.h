@@ -1,0 +1,123 @@
+// The rays of a packet and what they have in common: intervals of origins and inverse directions.
+#include "accel/kernels/stack-inl.h"
+
+#if defined(DAPPLE_KERNELS_PACKET_BOUNDS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef DAPPLE_KERNELS_PACKET_BOUNDS_INL_H
+#undef DAPPLE_KERNELS_PACKET_BOUNDS_INL_H
+#else
+#define DAPPLE_KERNELS_PACKET_BOUNDS_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dapple {
+namespace HWY_NAMESPACE {
+
+inline constexpr std::size_t kPacketSize = 64;
+// Work, in about ten instructions, after which a packet gives up: its rays have less in common than
+// it seemed. Single rays through a large scene cost more than this, so trying loses little.
+inline constexpr int kPacketBudget = 1280;
+inline constexpr int kNodeWork = 2, kPrimWork = 1 + kPacketSize / 16;
+
+struct alignas(64) Packet {
+  float origin[3][kPacketSize], direction[3][kPacketSize], inverse[3][kPacketSize];
+  float t_min[kPacketSize], inverse_dot[kPacketSize];
+  float shear[2][kPacketSize];
+  float best_t[kPacketSize];
+  std::uint32_t best_prim[kPacketSize];
+  std::uint32_t best_leaf[kPacketSize], best_lane[kPacketSize];  // ChildRef bits, lane in it
+};
+
+// What all rays of a packet have in common.
+struct PacketBounds {
+  float origin_near[3], origin_far[3];  // the ends that give the first and last crossing of a plane
+  float inverse_low[3], inverse_high[3];
+  float inverse_far_low[3], inverse_far_high[3];
+  std::uint32_t axis;  // the z of the rays' own frames
+  bool one_axis;       // it is the same for all
+  bool up[3];          // signs of the directions
+  float t_min;         // smallest
+  float t_best;        // largest
+};
+
+struct Extent {
+  float low, high;
+};
+
+HWY_INLINE Extent extent_of(const float* values) {
+  FloatVec low = load_floats(values), high = low;
+  for (std::size_t i = kLanes; i < kPacketSize; i += kLanes) {
+    low = hn::Min(low, load_floats(values + i));
+    high = hn::Max(high, load_floats(values + i));
+  }
+  return {hn::GetLane(hn::MinOfLanes(Floats(), low)), hn::GetLane(hn::MaxOfLanes(Floats(), high))};
+}
+
+// False when the signs of the directions differ or a ray is unusable.
+HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Extent inverse = extent_of(packet.inverse[axis]);
+    const Extent origin = extent_of(packet.origin[axis]);
+    if (!(inverse.low > 0.0f || inverse.high < 0.0f)) return false;
+    const bool up = inverse.low > 0.0f;
+    bounds.up[axis] = up;
+    bounds.inverse_low[axis] = inverse.low;
+    bounds.inverse_high[axis] = inverse.high;
+    bounds.inverse_far_low[axis] = inverse.low * kFarPad;
+    bounds.inverse_far_high[axis] = inverse.high * kFarPad;
+    bounds.origin_near[axis] = up ? origin.high : origin.low;
+    bounds.origin_far[axis] = up ? origin.low : origin.high;
+  }
+  bounds.t_min = extent_of(packet.t_min).low;
+  const Extent best = extent_of(packet.best_t);
+  bounds.t_best = best.high;
+  return best.low >= 0.0f;
+}
+
+HWY_INLINE void fill(const Ray* rays, Packet& packet, PacketBounds& bounds) {
+  bounds.one_axis = true;
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    const PreparedRay ray = prepare_fast(rays[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      packet.origin[axis][i] = ray.origin[axis];
+      packet.direction[axis][i] = ray.direction[axis];
+      packet.inverse[axis][i] = ray.inverse[axis];
+    }
+    packet.t_min[i] = ray.t_min;
+    packet.inverse_dot[i] = ray.inverse_dot;
+    packet.shear[0][i] = ray.shear[0];
+    packet.shear[1][i] = ray.shear[1];
+    if (i == 0) bounds.axis = ray.axis;
+    bounds.one_axis &= ray.axis == bounds.axis;
+    packet.best_t[i] = ray.t_max;
+    packet.best_prim[i] = kNoPrim;
+  }
+}
+
+// The earliest and latest distances at which any ray of the packet crosses planes of one axis.
+HWY_INLINE FloatVec earliest(FloatVec planes, const PacketBounds& bounds, std::size_t axis) {
+  const FloatVec way = hn::Sub(planes, all(bounds.origin_near[axis]));
+  return hn::Min(hn::Mul(way, all(bounds.inverse_low[axis])),
+                 hn::Mul(way, all(bounds.inverse_high[axis])));
+}
+HWY_INLINE FloatVec latest(FloatVec planes, const PacketBounds& bounds, std::size_t axis) {
+  const FloatVec way = hn::Sub(planes, all(bounds.origin_far[axis]));
+  return hn::Max(hn::Mul(way, all(bounds.inverse_far_low[axis])),
+                 hn::Mul(way, all(bounds.inverse_far_high[axis])));
+}
+
+// Boxes that some ray of the packet may pass, and when at the earliest.
+HWY_INLINE LaneHits enter_boxes(const PacketBounds& bounds, const FloatVec* lo,
+                                const FloatVec* hi) {
+  FloatVec entry = all(bounds.t_min), exit = all(bounds.t_best);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool up = bounds.up[axis];
+    entry = hn::Max(entry, earliest(up ? lo[axis] : hi[axis], bounds, axis));
+    exit = hn::Min(exit, latest(up ? hi[axis] : lo[axis], bounds, axis));
+  }
+  return {hn::Le(entry, exit), entry};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dapple
+HWY_AFTER_NAMESPACE();
+#endif
