@@ -17,6 +17,7 @@ LinearAccel::LinearAccel(const SceneView& scene)
   view_.instances = instances_;
   view_.first_id =
       static_cast<PrimId>(first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::instance)]);
+  view_.kinds = leaf_kinds(scene);
   view_.leaves = list_.leaves();
   view_.prototypes = prototypes_;
   view_.rows = list_.rows();

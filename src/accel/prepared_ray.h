@@ -38,8 +38,9 @@ inline float safe_inverse(float d) {
   return 1.0f / (std::fabs(d) < kSmallestDirection ? std::copysign(kSmallestDirection, d) : d);
 }
 
-// What is not three numbers alike. The vectors must be there.
-inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
+// What is not three numbers alike; the vectors must be there. Spheres need what does not concern a
+// frame, triangles all but `inverse_dot`.
+inline void prepare_range(const Ray& ray, PreparedRay& prepared) {
   const float squared = dot(ray.direction, ray.direction);
   const float origin_size =
       std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
@@ -50,6 +51,8 @@ inline void prepare_scalars(const Ray& ray, PreparedRay& prepared) {
                       origin_size <= std::numeric_limits<float>::max() &&
                       ray.t_max >= prepared.t_min;
   prepared.t_max = usable ? ray.t_max : -1.0f;
+}
+inline void prepare_frame(const Ray& ray, PreparedRay& prepared) {
   const float x = std::fabs(ray.direction.x), y = std::fabs(ray.direction.y);
   const float z = std::fabs(ray.direction.z);
   const std::uint32_t axis = x >= y ? (x >= z ? 0u : 2u) : (y >= z ? 1u : 2u);
@@ -67,7 +70,8 @@ inline PreparedRay prepare(const Ray& ray) {
     prepared.inverse[axis] = safe_inverse(ray.direction[axis]);
     prepared.inverse_far[axis] = prepared.inverse[axis] * kFarPad;
   }
-  prepare_scalars(ray, prepared);
+  prepare_range(ray, prepared);
+  prepare_frame(ray, prepared);
   return prepared;
 }
 

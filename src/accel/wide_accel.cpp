@@ -5,6 +5,12 @@
 #include "util/float_mode.h"
 
 namespace dapple {
+namespace {
+
+// What a second-level cache may be expected to hold beside the rays.
+constexpr std::size_t kNearBytes = std::size_t{1} << 20;
+
+}  // namespace
 
 WideAccel::WideAccel(const SceneView& scene, BvhQuality quality)
     : prim_count_(scene.object_count()) {
@@ -20,6 +26,8 @@ WideAccel::WideAccel(const SceneView& scene, BvhQuality quality)
     view_.first_id =
         static_cast<PrimId>(first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::instance)]);
   }
+  view_.far = bvh.nodes.size_bytes() + bvh.rows.size_bytes() > kNearBytes;
+  view_.kinds = leaf_kinds(scene);
   // Prototypes that nothing shows: a ray must not start in them.
   if (prim_count_ == 0) bvh = {};
   set_leaves(bvh.rows.data(), instances_);

@@ -42,6 +42,12 @@ tl::unexpected<Error> unknown_isa(std::string_view isa, std::string place) {
 
 }  // namespace
 
+LeafKinds leaf_kinds(const SceneView& scene) {
+  const std::size_t all = scene.object_count();
+  if (scene.object_count(ShapeKind::sphere) == all) return LeafKinds::spheres;
+  return scene.object_count(ShapeKind::triangle) == all ? LeafKinds::triangles : LeafKinds::any;
+}
+
 const KernelTable& kernels() { return *chosen().load(std::memory_order_relaxed); }
 
 std::vector<std::string_view> available_isas() {

@@ -10,15 +10,22 @@
 #include "accel/hit.h"
 #include "accel/placed_instance.h"
 #include "math/ray.h"
+#include "scene/scene_view.h"
 #include "scene/wide_bvh.h"
 #include "util/error.h"
 
 namespace dapple {
 
+// What the leaves hold that a ray meets before it enters an instance. Where that is known, kernels
+// do without asking each leaf.
+enum class LeafKinds { any, spheres, triangles };
+[[nodiscard]] LeafKinds leaf_kinds(const SceneView& scene);
+
 // The instances of a scene as a structure keeps them.
 struct InstanceView {
   std::span<const PlacedInstance> instances;
   PrimId first_id = 0;
+  LeafKinds kinds = LeafKinds::any;
 };
 
 // Leaves that every ray is tested against. The content of an instance is the prototype's number.
@@ -29,7 +36,9 @@ struct LinearView : InstanceView {
 };
 
 // The tree of the world begins at node 0, that of an instance where its content says.
-struct WideView : InstanceView, WideBvhView {};
+struct WideView : InstanceView, WideBvhView {
+  bool far = false;  // more than the second-level cache holds
+};
 
 struct KernelTable {
   std::string_view isa;  // "avx512", "avx2", "sse4", "ssse3" or "portable"

@@ -1,6 +1,7 @@
 // Whole leaves at once: the tests of intersect_scalar.h, operation for operation, on vectors.
 #include "accel/hit.h"
 #include "accel/intersect_cylinder.h"
+#include "accel/kernels/dispatch.h"
 #include "accel/kernels/simd-inl.h"
 #include "scene/leaf.h"
 
@@ -25,17 +26,28 @@ HWY_INLINE FloatVec load_row(const LeafRow* rows, std::size_t row, std::size_t i
   return load_floats(reinterpret_cast<const float*>(rows[row].words + i));
 }
 
+// Where the ray enters and leaves the extent of spheres along one axis.
+struct SphereSlab {
+  FloatVec near, far;
+};
+
+HWY_INLINE SphereSlab slab_of_spheres(const PreparedRay& ray, FloatVec centre, FloatVec size,
+                                      int axis) {
+  const FloatVec sign = hn::And(all(ray.inverse[axis]), hn::SignBit(Floats()));
+  const FloatVec to_far = hn::Or(size, sign);  // `size` has no sign
+  return {meet(hn::Sub(centre, to_far), ray, axis), meet(hn::Add(centre, to_far), ray, axis)};
+}
+
 // The own-box rule for the spheres that passed so far.
 HWY_INLINE LaneHits enter_sphere_boxes(const PreparedRay& ray, FloatVec cx, FloatVec cy,
                                        FloatVec cz, FloatVec radius, LaneHits hits,
                                        FloatVec t_max) {
-  const FloatVec r = hn::Abs(radius);
-  const FloatVec x0 = meet(hn::Sub(cx, r), ray, 0), x1 = meet(hn::Add(cx, r), ray, 0);
-  const FloatVec y0 = meet(hn::Sub(cy, r), ray, 1), y1 = meet(hn::Add(cy, r), ray, 1);
-  const FloatVec z0 = meet(hn::Sub(cz, r), ray, 2), z1 = meet(hn::Add(cz, r), ray, 2);
-  const FloatVec near =
-      hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), all(ray.t_min)));
-  const FloatVec far = hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Max(z0, z1));
+  const FloatVec size = hn::Abs(radius);
+  const SphereSlab x = slab_of_spheres(ray, cx, size, 0);
+  const SphereSlab y = slab_of_spheres(ray, cy, size, 1);
+  const SphereSlab z = slab_of_spheres(ray, cz, size, 2);
+  const FloatVec near = hn::Max(hn::Max(x.near, y.near), hn::Max(z.near, all(ray.t_min)));
+  const FloatVec far = hn::Min(hn::Min(x.far, y.far), z.far);
   const FloatVec t = hn::Max(hits.t, near);
   const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
   return {hn::And(hits.mask, inside), t};
@@ -182,8 +194,11 @@ HWY_INLINE LaneHits intersect_cylinders(const PreparedRay& ray, const LeafRow* l
   return {hn::Ge(hit, hn::Zero(d)), hit};
 }
 
+template <LeafKinds kKinds>
 HWY_INLINE LaneHits intersect_lanes(const PreparedRay& ray, ShapeKind kind, const LeafRow* leaf,
                                     std::size_t i, float t_best) {
+  if (kKinds == LeafKinds::spheres) return intersect_spheres(ray, leaf, i, t_best);
+  if (kKinds == LeafKinds::triangles) return intersect_triangles(ray, leaf, i, t_best);
   if (HWY_LIKELY(kind == ShapeKind::sphere)) return intersect_spheres(ray, leaf, i, t_best);
   if (HWY_LIKELY(kind == ShapeKind::triangle)) return intersect_triangles(ray, leaf, i, t_best);
   if (kind == ShapeKind::cylinder) return intersect_cylinders(ray, leaf, i, t_best);
@@ -232,11 +247,11 @@ HWY_INLINE void for_each_instance(const PreparedRay& ray, const LeafRow* leaf, f
 }
 
 // inside.find(ray, id, entry, best) looks into an instance.
-template <class Inside>
+template <LeafKinds kKinds, class Inside>
 HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
                                const Inside& inside, Hit& best) {
   const LeafRow* begin = rows + leaf.first_row();
-  if (HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
+  if (kKinds == LeafKinds::any && HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
     for_each_instance(ray, begin, best.t, [&](PrimId id, float entry) {
       if (entry <= best.t) inside.find(ray, id, entry, best);
       return true;
@@ -244,17 +259,17 @@ HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const LeafR
     return;
   }
   for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
-    const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, best.t);
+    const LaneHits hits = intersect_lanes<kKinds>(ray, leaf.kind(), begin, i, best.t);
     if (!hn::AllFalse(Floats(), hits.mask)) keep_best(hits, leaf, begin, i, best);
   }
 }
 
-template <class Inside>
+template <LeafKinds kKinds, class Inside>
 HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
                               const Inside& inside) {
   const LeafRow* begin = rows + leaf.first_row();
   bool occluded = false;
-  if (HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
+  if (kKinds == LeafKinds::any && HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
     for_each_instance(ray, begin, ray.t_max, [&](PrimId id, float) {
       occluded = inside.occludes(ray, id);
       return !occluded;
@@ -262,7 +277,7 @@ HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const LeafRo
     return occluded;
   }
   for (std::size_t i = 0; i < kLeafWidth && !occluded; i += kLanes) {
-    const LaneHits hits = intersect_lanes(ray, leaf.kind(), begin, i, ray.t_max);
+    const LaneHits hits = intersect_lanes<kKinds>(ray, leaf.kind(), begin, i, ray.t_max);
     occluded = !hn::AllFalse(Floats(), hits.mask);
   }
   return occluded;

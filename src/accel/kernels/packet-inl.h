@@ -20,15 +20,16 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE void visit_node(const PacketBounds& bounds, const WideNode& node,
                            PendingStack& pending) {
-  const std::size_t bottom = pending.top;
-  for (std::size_t i = 0; i < kWideWidth; i += kLanes) {
+  LaneHits hits[kNodeVecs];
+  for (std::size_t i = 0; i < kNodeVecs; ++i) {
     FloatVec lo[3], hi[3];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      lo[axis] = load_floats(node.lo[axis] + i);
-      hi[axis] = load_floats(node.hi[axis] + i);
+      lo[axis] = load_floats(node.lo[axis] + i * kLanes);
+      hi[axis] = load_floats(node.hi[axis] + i * kLanes);
     }
-    push_children(enter_boxes(bounds, lo, hi), node.children + i, bottom, pending);
+    hits[i] = enter_boxes(bounds, lo, hi);
   }
+  push_children(hits, node.children, pending);
 }
 
 HWY_INLINE Hit hit_of(const Packet& packet, std::size_t i) {

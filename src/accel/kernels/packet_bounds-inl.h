@@ -1,5 +1,5 @@
 // The rays of a packet and what they have in common: intervals of origins and inverse directions.
-#include "accel/kernels/stack-inl.h"
+#include "accel/kernels/push-inl.h"
 
 #if defined(DAPPLE_KERNELS_PACKET_BOUNDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_PACKET_BOUNDS_INL_H
@@ -76,7 +76,8 @@ HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
 HWY_INLINE void fill(const Ray* rays, Packet& packet, PacketBounds& bounds) {
   bounds.one_axis = true;
   for (std::size_t i = 0; i < kPacketSize; ++i) {
-    const PreparedRay ray = prepare_fast(rays[i]);
+    PreparedRay ray;
+    prepare_fast(rays[i], ray);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       packet.origin[axis][i] = ray.origin[axis];
       packet.direction[axis][i] = ray.direction[axis];

@@ -23,6 +23,10 @@ HWY_INLINE float load_float(const std::uint32_t* word) {
 HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
 #if HWY_TARGET <= HWY_AVX3
   return static_cast<std::uint32_t>(mask.raw);
+#elif HWY_TARGET == HWY_AVX2
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw));
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  return static_cast<std::uint32_t>(_mm_movemask_ps(mask.raw));
 #else
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(Floats(), mask, bytes);
@@ -37,10 +41,13 @@ HWY_INLINE std::uint32_t take_lowest(std::uint32_t& bits) {
   return index;
 }
 
-// prepare() with the three divisions of the inverse direction at once.
-HWY_INLINE PreparedRay prepare_fast(const Ray& ray) {
+// prepare() with the three divisions of the inverse direction at once, and without a frame where no
+// triangle will ask for it. Straight to where the ray will be read: a copy of what was stored in
+// smaller pieces would wait for all of them to reach the cache.
+template <bool kFrame = true>
+HWY_INLINE void prepare_fast(const Ray& ray, PreparedRay& prepared) {
 #if HWY_TARGET == HWY_SCALAR
-  return prepare(ray);
+  prepared = prepare(ray);
 #else
   const hn::FixedTag<float, 4> d;
   using Vec = decltype(hn::Zero(d));
@@ -50,13 +57,12 @@ HWY_INLINE PreparedRay prepare_fast(const Ray& ray) {
   const Vec divisor = hn::IfThenElse(hn::Lt(hn::Abs(direction), smallest),
                                      hn::CopySign(smallest, direction), direction);
   const Vec inverse = hn::Div(hn::Set(d, 1.0f), divisor);
-  PreparedRay prepared;
   hn::StoreU(origin, d, prepared.origin);
   hn::StoreU(direction, d, prepared.direction);
   hn::StoreU(inverse, d, prepared.inverse);
   hn::StoreU(hn::Mul(inverse, hn::Set(d, kFarPad)), d, prepared.inverse_far);
-  prepare_scalars(ray, prepared);
-  return prepared;
+  prepare_range(ray, prepared);
+  if constexpr (kFrame) prepare_frame(ray, prepared);
 #endif
 }
 

@@ -5,9 +5,8 @@
 // almost nothing is left that a branch predictor could get wrong: which lanes were hit is data,
 // never control flow.
 #include "accel/kernels/dispatch.h"
-#include "accel/kernels/leaf-inl.h"
 #include "accel/kernels/packet-inl.h"
-#include "accel/kernels/stack-inl.h"
+#include "accel/kernels/search-inl.h"
 
 #if defined(DAPPLE_KERNELS_WIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_WIDE_INL_H
@@ -20,69 +19,18 @@ HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
 
-// Which planes of a node's boxes a ray meets first depends on the signs of its direction.
-struct NodePlanes {
-  std::uint32_t near[3], far[3];  // float offsets in a node
-};
-
-HWY_INLINE NodePlanes planes_of(const PreparedRay& ray) {
-  NodePlanes planes;
-  for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const bool up = ray.inverse[axis] >= 0.0f;
-    planes.near[axis] = (axis + (up ? 0 : 3)) * kWideWidth;
-    planes.far[axis] = (axis + (up ? 3 : 0)) * kWideWidth;
-  }
-  return planes;
-}
-
-// A ray in flight.
-struct Search {
-  PreparedRay ray;
-  NodePlanes planes;
-  Hit best;
-  ChildRef current;   // what is to be visited next
-  std::size_t index;  // of the ray in the stream
-  PendingStack pending;
-};
-
-// Lanes [i, i + kLanes) of a node: where the ray enters their boxes, and which it passes in time.
-HWY_INLINE LaneHits enter_boxes(const Search& search, const WideNode& node, std::size_t i) {
-  const PreparedRay& ray = search.ray;
-  const float* floats = &node.lo[0][0] + i;
-  const FloatVec nx = meet(load_floats(floats + search.planes.near[0]), ray, 0);
-  const FloatVec ny = meet(load_floats(floats + search.planes.near[1]), ray, 1);
-  const FloatVec nz = meet(load_floats(floats + search.planes.near[2]), ray, 2);
-  const FloatVec fx = meet_far(load_floats(floats + search.planes.far[0]), ray, 0);
-  const FloatVec fy = meet_far(load_floats(floats + search.planes.far[1]), ray, 1);
-  const FloatVec fz = meet_far(load_floats(floats + search.planes.far[2]), ray, 2);
-  const FloatVec entry = hn::Max(hn::Max(nx, ny), hn::Max(nz, all(ray.t_min)));
-  const FloatVec exit = hn::Min(hn::Min(fx, fy), hn::Min(fz, all(search.best.t)));
-  return {hn::Le(entry, exit), entry};
-}
-
-HWY_INLINE void visit_node(const WideNode& node, Search& search) {
-  const std::size_t bottom = search.pending.top;
-  for (std::size_t i = 0; i < kWideWidth; i += kLanes) {
-    push_children(enter_boxes(search, node, i), node.children + i, bottom, search.pending);
-  }
-}
-
-// Asks for the memory that visiting `child` will read: seven cache lines of a node, five or six of
-// a leaf. Without branches, so some lines are asked for twice.
+// Asks for the memory that visiting `child` will read: seven cache lines of a node, five or more of
+// a leaf. Where these are is computed without a branch, which half the time would be predicted
+// wrongly; what is empty gives some address, and asking for that is harmless.
 HWY_INLINE void prefetch(const WideBvhView& bvh, ChildRef child) {
-  const bool is_leaf = child.is_leaf();
-  const char* rows = reinterpret_cast<const char*>(bvh.rows.data()) + child.leaf_row() * 64;
-  const char* nodes = reinterpret_cast<const char*>(bvh.nodes.data());
-  const char* node = nodes + (child.is_node() ? child.node_index() * sizeof(WideNode) : 0);
-  const char* begin = is_leaf ? rows : node;
-  __builtin_prefetch(begin);
-  __builtin_prefetch(begin + 64);
-  __builtin_prefetch(begin + 128);
-  __builtin_prefetch(begin + 192);
-  __builtin_prefetch(begin + 256);
-  const char* rest = begin + (is_leaf ? 0 : 320);
-  __builtin_prefetch(rest);
-  __builtin_prefetch(rest + 64);
+  const std::uint64_t bits = child.bits;
+  const std::uint64_t if_leaf = 0 - (bits >> 31);
+  const auto rows = reinterpret_cast<std::uint64_t>(bvh.rows.data());
+  const auto nodes = reinterpret_cast<std::uint64_t>(bvh.nodes.data());
+  const std::uint64_t leaf = rows + (bits & ChildRef::kMaxRow) * sizeof(LeafRow);
+  const std::uint64_t node = nodes + bits * sizeof(WideNode);
+  const char* begin = reinterpret_cast<const char*>((leaf & if_leaf) | (node & ~if_leaf));
+  for (int line = 0; line < 7; ++line) __builtin_prefetch(begin + 64 * line);
 }
 
 // More hide more latency until their state no longer fits into the first-level cache.
@@ -95,61 +43,17 @@ struct Worklists {
 };
 
 // Files a search under what its stack says is next.
-HWY_INLINE void advance(const WideBvhView& bvh, Search& search, std::size_t id, Worklists& lists) {
-  search.current = pop_nearest(search.pending, search.best.t);
+template <bool kAnyHit>
+HWY_INLINE void advance(const WideView& bvh, Search& search, std::size_t id, Worklists& lists) {
+  search.current = pop<kAnyHit>(search);
   const bool is_leaf = search.current.is_leaf(), is_node = search.current.is_node();
   lists.at_leaf[lists.leaf_count] = lists.at_node[lists.node_count] =
       lists.ended[lists.ended_count] = static_cast<std::uint8_t>(id);
   lists.leaf_count += is_leaf;
   lists.node_count += is_node;
   lists.ended_count += !is_leaf && !is_node;
-  prefetch(bvh, search.current);
+  if (bvh.far) prefetch(bvh, search.current);
 }
-
-HWY_INLINE void start(const Ray& ray, std::size_t index, Search& search) {
-  search.ray = prepare_fast(ray);
-  search.planes = planes_of(search.ray);
-  search.best = nothing_before(search.ray.t_max);
-  search.index = index;
-  search.current = ChildRef::node(0);
-  clear(search.pending);
-}
-
-// What a ray finds in the tree of an instance, if that is no farther than `t_best`: one search from
-// beginning to end.
-template <bool kAnyHit>
-HWY_NOINLINE Hit search_instance(const WideView& bvh, const PlacedInstance& instance,
-                                 const PreparedRay& ray, float t_best) {
-  Search search;
-  search.ray = enter_instance(instance, ray);
-  search.planes = planes_of(search.ray);
-  search.best = nothing_before(search.ray.t_max < t_best ? search.ray.t_max : t_best);
-  make_bottom(search.pending);
-  clear(search.pending);
-  for (ChildRef current = ChildRef::node(instance.content); !current.empty();
-       current = pop_nearest(search.pending, search.best.t)) {
-    if (!current.is_leaf()) {
-      visit_node(bvh.nodes[current.node_index()], search);
-      continue;
-    }
-    intersect_leaf(search.ray, current.leaf_ref(), bvh.rows.data(), NothingInside(), search.best);
-    if (kAnyHit && search.best.prim != kNoPrim) break;
-  }
-  return search.best;
-}
-
-template <bool kAnyHit>
-struct InsideTree {
-  const WideView& bvh;
-
-  HWY_INLINE void find(const PreparedRay& ray, PrimId id, float entry, Hit& best) const {
-    const std::size_t index = id - bvh.first_id;
-    const PlacedInstance& instance = bvh.instances[index];
-    if (instance.content == PlacedInstance::kNothing) return;
-    if (kAnyHit && best.prim != kNoPrim) return;
-    keep_seen_through(index, entry, search_instance<kAnyHit>(bvh, instance, ray, best.t), best);
-  }
-};
 
 // Rays of a stream still to be started, and what to do with a search that ended.
 template <class Finish>
@@ -160,50 +64,64 @@ struct Stream {
   Finish finish;
 };
 
-template <bool kAnyHit, class Finish>
+template <LeafKinds kKinds, bool kAnyHit, class Finish>
 HWY_INLINE void trace_stream(const WideView& bvh, Stream<Finish> stream) {
   Search searches[kInFlight];
-  Worklists lists;
+  Worklists both[2];
+  Worklists *now = &both[0], *next = &both[1];
   for (Search& search : searches) make_bottom(search.pending);
   for (std::size_t id = 0; id < kInFlight && stream.next < stream.count; ++id, ++stream.next) {
-    start(stream.rays[stream.next], stream.next, searches[id]);
-    lists.at_node[lists.node_count++] = static_cast<std::uint8_t>(id);
+    start<kKinds>(stream.rays[stream.next], stream.next, searches[id]);
+    now->at_node[now->node_count++] = static_cast<std::uint8_t>(id);
   }
-  while (lists.node_count + lists.leaf_count != 0) {
-    for (std::size_t i = 0; i < lists.node_count; ++i) {
-      Search& search = searches[lists.at_node[i]];
-      visit_node(bvh.nodes[search.current.node_index()], search);
+  while (now->node_count + now->leaf_count != 0) {
+    for (std::size_t i = 0; i < now->node_count; ++i) {
+      Search& search = searches[now->at_node[i]];
+      visit_node<kAnyHit>(bvh.nodes[search.current.node_index()], search);
     }
-    for (std::size_t i = 0; i < lists.leaf_count; ++i) {
-      Search& search = searches[lists.at_leaf[i]];
-      intersect_leaf(search.ray, search.current.leaf_ref(), bvh.rows.data(),
-                     InsideTree<kAnyHit>{bvh}, search.best);
+    for (std::size_t i = 0; i < now->leaf_count; ++i) {
+      Search& search = searches[now->at_leaf[i]];
+      intersect_leaf<kKinds>(search.ray, search.current.leaf_ref(), bvh.rows.data(),
+                             InsideTree<kAnyHit>{bvh}, search.best);
       if (kAnyHit && search.best.prim != kNoPrim) clear(search.pending);
     }
-    Worklists next;
-    for (std::size_t i = 0; i < lists.node_count; ++i) {
-      advance(bvh, searches[lists.at_node[i]], lists.at_node[i], next);
+    next->node_count = next->leaf_count = next->ended_count = 0;
+    for (std::size_t i = 0; i < now->node_count; ++i) {
+      advance<kAnyHit>(bvh, searches[now->at_node[i]], now->at_node[i], *next);
     }
-    for (std::size_t i = 0; i < lists.leaf_count; ++i) {
-      advance(bvh, searches[lists.at_leaf[i]], lists.at_leaf[i], next);
+    for (std::size_t i = 0; i < now->leaf_count; ++i) {
+      advance<kAnyHit>(bvh, searches[now->at_leaf[i]], now->at_leaf[i], *next);
     }
-    for (std::size_t i = 0; i < next.ended_count; ++i) {
-      Search& search = searches[next.ended[i]];
+    for (std::size_t i = 0; i < next->ended_count; ++i) {
+      Search& search = searches[next->ended[i]];
       stream.finish(search.index, search.best);
       if (stream.next == stream.count) continue;
-      start(stream.rays[stream.next], stream.next, search);
+      start<kKinds>(stream.rays[stream.next], stream.next, search);
       ++stream.next;
-      next.at_node[next.node_count++] = next.ended[i];
+      next->at_node[next->node_count++] = next->ended[i];
     }
-    next.ended_count = 0;
-    lists = next;
+    Worklists* const done = now;
+    now = next;
+    next = done;
   }
 }
 
+template <LeafKinds kKinds>
 HWY_NOINLINE void trace_one_by_one(const WideView& bvh, const Ray* rays, std::size_t count,
                                    Hit* hits) {
   const auto finish = [hits](std::size_t i, const Hit& best) { hits[i] = finished(best); };
-  trace_stream<false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
+  trace_stream<kKinds, false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
+}
+HWY_INLINE void trace_one_by_one(const WideView& bvh, const Ray* rays, std::size_t count,
+                                 Hit* hits) {
+  switch (bvh.kinds) {
+    case LeafKinds::spheres:
+      return trace_one_by_one<LeafKinds::spheres>(bvh, rays, count, hits);
+    case LeafKinds::triangles:
+      return trace_one_by_one<LeafKinds::triangles>(bvh, rays, count, hits);
+    case LeafKinds::any:
+      return trace_one_by_one<LeafKinds::any>(bvh, rays, count, hits);
+  }
 }
 
 // Whether trying a packet is worth it: after each failure in a row, twice as many are let pass.
@@ -241,16 +159,29 @@ HWY_ATTR void intersect_wide(const WideView& bvh, const Ray* rays, Hit* hits, st
   trace_one_by_one(bvh, rays + traced, count - traced, hits + traced);
 }
 
-HWY_ATTR void occluded_wide(const WideView& bvh, const Ray* rays, std::uint8_t* occluded,
-                            std::size_t count) {
+template <LeafKinds kKinds>
+HWY_NOINLINE void occluded_one_by_one(const WideView& bvh, const Ray* rays, std::uint8_t* occluded,
+                                      std::size_t count) {
   const auto finish = [occluded](std::size_t i, const Hit& best) {
     occluded[i] = best.prim != kNoPrim ? 1 : 0;
   };
+  trace_stream<kKinds, true>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
+}
+
+HWY_ATTR void occluded_wide(const WideView& bvh, const Ray* rays, std::uint8_t* occluded,
+                            std::size_t count) {
   if (bvh.empty()) {
     for (std::size_t i = 0; i < count; ++i) occluded[i] = 0;
     return;
   }
-  trace_stream<true>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
+  switch (bvh.kinds) {
+    case LeafKinds::spheres:
+      return occluded_one_by_one<LeafKinds::spheres>(bvh, rays, occluded, count);
+    case LeafKinds::triangles:
+      return occluded_one_by_one<LeafKinds::triangles>(bvh, rays, occluded, count);
+    case LeafKinds::any:
+      return occluded_one_by_one<LeafKinds::any>(bvh, rays, occluded, count);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
