@@ -139,6 +139,9 @@ CommandInfo render() {
                      "options give the same image, bit for bit, on any number of threads.",
                      "A model without a camera is shown whole, from a little to the right and "
                      "above. One without light stands in a neutral studio.",
+                     "A file that describes a film, as those of pbrt do, is rendered at its size, "
+                     "and one whose camera says so in the shape of picture that it is meant for. "
+                     "Of --width and --height, the one that is missing then follows the other.",
                      "On a terminal, a rendering of more than a second shows its progress. SIGINT "
                      "and SIGTERM stop it; nothing is written then."},
       .arguments = {scene_argument()},

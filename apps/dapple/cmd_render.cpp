@@ -158,14 +158,21 @@ Status check_format(const std::string& path) {
   return {};
 }
 
-// The view that the command line asks for.
-Expected<EditedView> view_of(const SceneInput& input, const Arguments& arguments) {
+// The view that the command line asks for, and the size of its picture.
+struct Shot {
+  EditedView view;
+  std::array<int, 2> size{};
+};
+
+Expected<Shot> shot_of(const SceneInput& input, const Arguments& arguments) {
   auto options = view_options_from(arguments);
   if (!options) return tl::unexpected(options.error());
   options->frame = !input.has_camera;
-  const double aspect =
-      static_cast<double>(arguments.small_integer("width")) / arguments.small_integer("height");
-  return EditedView::create(input.view(), *options, aspect);
+  const auto size = picture_size(arguments, input, *options);
+  if (!size) return tl::unexpected(size.error());
+  auto view = EditedView::create(input.view(), *options, double((*size)[0]) / (*size)[1]);
+  if (!view) return tl::unexpected(view.error());
+  return Shot{std::move(*view), *size};
 }
 
 }  // namespace
@@ -188,13 +195,17 @@ Expected<int> run_render(const Arguments& arguments) {
   Clock clock;
   const auto input = open_scene(arguments, scope_for(report.accel));
   if (!input) return tl::unexpected(input.error());
-  const auto view = view_of(*input, arguments);
-  if (!view) return tl::unexpected(view.error());
+  const auto shot = shot_of(*input, arguments);
+  if (!shot) return tl::unexpected(shot.error());
+  const SceneView& view = shot->view.view();
   report.load_seconds = lap(clock);
-  report.classic = is_classic(view->view());
+  report.classic = is_classic(view);
   report.settings = settings_from(arguments, report.classic);
-  if (auto status = check_stop(); !status) return tl::unexpected(status.error());
-  auto result = render_scene(view->view(), !arguments.given("quiet"), report);
+  report.settings.width = shot->size[0];
+  report.settings.height = shot->size[1];
+  if (auto status = validate(report.settings).and_then(check_stop); !status)
+    return tl::unexpected(status.error());
+  auto result = render_scene(view, !arguments.given("quiet"), report);
   if (!result) return tl::unexpected(result.error());
   report.dropped_samples = result->dropped_samples;
   report.clamped_radiance = result->clamped_radiance;
@@ -202,7 +213,7 @@ Expected<int> run_render(const Arguments& arguments) {
 
   clock = Clock();
   if (is_display_format(output)) {
-    report.exposure = exposure_for(arguments, view->view(), result->image);
+    report.exposure = exposure_for(arguments, view, result->image);
     apply_tone_map(result->image, tone_map_from(arguments, report.classic), report.exposure);
   }
   if (auto status = write_image(output, result->image, write_options_from(arguments)); !status) {

@@ -1,5 +1,8 @@
 #include "dapple/view_arguments.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace dapple {
 namespace {
 
@@ -13,6 +16,20 @@ std::string text_or_nothing(const Arguments& arguments, std::string_view name) {
 int integer_or(const Arguments& arguments, std::string_view name, int automatic) {
   const int value = arguments.small_integer(name);
   return value == 0 ? automatic : value;
+}
+
+// Width over height of the pictures that a file means; 0: any.
+Expected<double> meant_aspect(const SceneInput& input, const ViewOptions& options) {
+  if (input.resolution) return double((*input.resolution)[0]) / (*input.resolution)[1];
+  if (input.camera_aspects.empty() || options.orbit || options.target) return 0;
+  if (options.camera.empty()) return input.camera_aspects[0];
+  return camera_index(input.view().cameras, options.camera).map([&](std::size_t i) {
+    return input.camera_aspects[i];
+  });
+}
+
+int side(double pixels) {
+  return static_cast<int>(std::clamp(std::floor(pixels + 0.5), 1.0, double{kMaxImageSide}));
 }
 
 }  // namespace
@@ -65,6 +82,22 @@ RenderSettings settings_from(const Arguments& arguments, bool classic) {
   settings.transparent_background = arguments.given("transparent");
   settings.clamp_indirect = static_cast<float>(arguments.number("clamp-indirect"));
   return settings;
+}
+
+Expected<std::array<int, 2>> picture_size(const Arguments& arguments, const SceneInput& input,
+                                          const ViewOptions& options) {
+  const auto aspect = meant_aspect(input, options);
+  if (!aspect) return tl::unexpected(aspect.error());
+  const bool has_width = arguments.given("width"), has_height = arguments.given("height");
+  std::array<int, 2> size = {arguments.small_integer("width"), arguments.small_integer("height")};
+  if ((has_width && has_height) || *aspect == 0) return size;
+  if (!has_width && !has_height && input.resolution) return *input.resolution;
+  if (has_height) {
+    size[0] = side(size[1] * *aspect);
+  } else {
+    size[1] = side(size[0] / *aspect);
+  }
+  return size;
 }
 
 ToneMap tone_map_from(const Arguments& arguments, bool classic) {

@@ -1,9 +1,12 @@
 // What a command line says about a model, and how it is to be seen.
 #pragma once
 
+#include <array>
+
 #include "dapple/arguments.h"
 #include "image/tone_map.h"
 #include "import/import_options.h"
+#include "render/scene_input.h"
 #include "render/settings.h"
 #include "render/view_options.h"
 
@@ -14,6 +17,11 @@ namespace dapple {
 [[nodiscard]] Expected<ViewOptions> view_options_from(const Arguments& arguments);
 // Those of --spp and --depth that depend on the scene come from `classic`.
 [[nodiscard]] RenderSettings settings_from(const Arguments& arguments, bool classic);
+// Width and height: those given. The one that is not given, or both, come from the film that the
+// file describes, or from the shape of pictures that its camera is meant for.
+[[nodiscard]] Expected<std::array<int, 2>> picture_size(const Arguments& arguments,
+                                                        const SceneInput& input,
+                                                        const ViewOptions& options);
 [[nodiscard]] ToneMap tone_map_from(const Arguments& arguments, bool classic);
 
 }  // namespace dapple

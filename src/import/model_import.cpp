@@ -98,6 +98,7 @@ Expected<ImportResult> ModelImport::finish() {
   ImportResult result;
   result.scene = std::move(*scene);
   result.warnings = log_.take();
+  result.camera_aspects = builder_.camera_aspects();
   return result;
 }
 

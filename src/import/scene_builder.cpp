@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "import/scene_extent.h"
@@ -233,8 +234,9 @@ void SceneBuilder::add_points_and_lines(double radius) {
   for (const Line& line : lines_) add_cylinder({line.begin, line.end, radius}, line.material);
 }
 
-void SceneBuilder::add_camera(std::string_view name, const Camera& camera) {
+void SceneBuilder::add_camera(std::string_view name, const Camera& camera, double aspect) {
   scene_.cameras.push_back({camera_name(name), camera});
+  camera_aspects_.push_back(aspect > 0 && std::isfinite(aspect) ? aspect : 0);
 }
 
 bool SceneBuilder::is_empty() const {

@@ -48,7 +48,9 @@ class SceneBuilder {
   void add_point(const Vec3d& position, MaterialId material);
   void add_line(const Vec3d& begin, const Vec3d& end, MaterialId material);
   void add_light(const Light& light) { scene_.lights.push_back(light); }
-  void add_camera(std::string_view name, const Camera& camera);
+  // `aspect`: width over height of the pictures that the camera is meant for; 0: any.
+  void add_camera(std::string_view name, const Camera& camera, double aspect = 0);
+  const std::vector<double>& camera_aspects() const { return camera_aspects_; }
 
   struct LeftOut {
     std::uint64_t without_area = 0;
@@ -89,6 +91,7 @@ class SceneBuilder {
   std::vector<Point> points_;
   std::vector<Line> lines_;
   LeftOut left_out_;
+  std::vector<double> camera_aspects_;  // of scene_.cameras
   TextureId magenta_ = kNoTexture;
 };
 

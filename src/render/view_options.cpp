@@ -17,13 +17,20 @@ std::string_view name_of(const NamedCamera& camera) {
   return {camera.name.data(), strnlen(camera.name.data(), camera.name.size())};
 }
 
-Expected<Camera> find_camera(std::span<const NamedCamera> cameras, const std::string& wanted) {
-  for (const NamedCamera& camera : cameras) {
-    if (name_of(camera) == wanted) return camera.camera;
+Vec3d middle_of(const Bounds3f& b) {
+  return b.lo.x <= b.hi.x ? 0.5 * (Vec3d(b.lo) + Vec3d(b.hi)) : Vec3d();
+}
+
+}  // namespace
+
+Expected<std::size_t> camera_index(std::span<const NamedCamera> cameras,
+                                   const std::string& wanted) {
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (name_of(cameras[i]) == wanted) return i;
   }
   const auto index = parse_integer(wanted, "camera", 0, INT32_MAX);
   if (index && static_cast<std::size_t>(*index) < cameras.size()) {
-    return cameras[static_cast<std::size_t>(*index)].camera;
+    return static_cast<std::size_t>(*index);
   }
   if (cameras.empty()) return fail(Errc::usage, wanted, "the scene has no cameras of its own");
   std::vector<std::string_view> names;
@@ -32,12 +39,6 @@ Expected<Camera> find_camera(std::span<const NamedCamera> cameras, const std::st
               fmt::format("no such camera; there are {} (or 0 to {})", fmt::join(names, ", "),
                           cameras.size() - 1));
 }
-
-Vec3d middle_of(const Bounds3f& b) {
-  return b.lo.x <= b.hi.x ? 0.5 * (Vec3d(b.lo) + Vec3d(b.hi)) : Vec3d();
-}
-
-}  // namespace
 
 Expected<EditedView> EditedView::create(const SceneView& scene, const ViewOptions& options,
                                         double width_over_height) {
@@ -54,9 +55,9 @@ Expected<EditedView> EditedView::create(const SceneView& scene, const ViewOption
 
 Status EditedView::choose_camera(const ViewOptions& options, double width_over_height) {
   if (!options.camera.empty()) {
-    const auto camera = find_camera(view_.cameras, options.camera);
-    if (!camera) return tl::unexpected(camera.error());
-    view_.camera = *camera;
+    const auto index = camera_index(view_.cameras, options.camera);
+    if (!index) return tl::unexpected(index.error());
+    view_.camera = view_.cameras[*index].camera;
   } else if (options.orbit || options.target) {
     const Orbit orbit = options.orbit.value_or(Orbit());
     const Vec3d target = options.target ? *options.target : middle_of(scene_bounds(view_));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct ViewOptions {
   std::string environment;         // an image file, "studio" or "none"; empty: the scene's own
   std::optional<double> rotation;  // of the environment about +y, degrees
 };
+
+// The number of the camera of that name, or whose number it is.
+[[nodiscard]] Expected<std::size_t> camera_index(std::span<const NamedCamera> cameras,
+                                                 const std::string& name_or_number);
 
 // A view with other camera and surroundings; owns what it adds. The scene's arrays must outlive it.
 class EditedView {

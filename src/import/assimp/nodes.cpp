@@ -190,7 +190,7 @@ class NodeWalker {
       const double aspect = from.mAspect > 0 ? double(from.mAspect) : 4.0 / 3;
       const double across = double(from.mHorizontalFOV) * kDegrees;
       camera.vertical_fov = across > 1 && across < 179 ? scaled_angle(across, 1 / aspect) : 45;
-      import_.builder().add_camera(from.mName.C_Str(), camera);
+      import_.builder().add_camera(from.mName.C_Str(), camera, double(from.mAspect));
     }
   }
 

@@ -35,6 +35,13 @@ Camera camera_at(const Transformd& to_world, const JsonValue& json) {
   return camera;
 }
 
+// Width over height; 0 where the file leaves it open.
+double aspect_of(const JsonValue& json) {
+  if (json["type"].text() != "orthographic") return json["perspective"]["aspectRatio"].number_or(0);
+  const JsonValue& magnification = json["orthographic"];
+  return std::fabs(magnification["xmag"].number_or(0) / magnification["ymag"].number_or(1));
+}
+
 std::string camera_name(const JsonValue& node, const JsonValue& camera) {
   return node.has("name") ? node["name"].text() : camera["name"].text();
 }
@@ -84,7 +91,8 @@ Status add_cameras(const Context& context, const std::vector<PlacedNode>& nodes)
       if (auto ok = context.tolerate(error.value()); !ok) return ok;
       continue;
     }
-    context.builder.add_camera(camera_name(json, cameras[*index]), camera);
+    context.builder.add_camera(camera_name(json, cameras[*index]), camera,
+                               aspect_of(cameras[*index]));
   }
   return {};
 }
