@@ -195,6 +195,7 @@ struct Reader {
 // Warns when the numbers are not those that min and max declare.
 void check_bounds(const Context& context, std::uint32_t index, const FloatElements& elements) {
   const JsonValue& json = context.document["accessors"][index];
+  if (!is_stored(json)) return;
   for (std::size_t c = 0; c < elements.components; ++c) {
     if (json["normalized"].bool_or(false) || !json.has("min") || !json.has("max")) return;
     float low = std::numeric_limits<float>::infinity(), high = -low;
@@ -212,6 +213,10 @@ void check_bounds(const Context& context, std::uint32_t index, const FloatElemen
 }
 
 }  // namespace
+
+bool is_stored(const JsonValue& accessor) {
+  return accessor.has("bufferView") || accessor.has("sparse");
+}
 
 std::size_t component_count(std::string_view type) {
   constexpr std::pair<std::string_view, std::size_t> kTypes[] = {
@@ -248,6 +253,7 @@ Expected<Elements<T>> Accessors::read(std::uint32_t index) {
   const Reader reader{buffers_, buffers_.context().document["accessors"][index],
                       fmt::format("/accessors/{}", index)};
   if (reader.json.is_null()) return reader.error("", "the accessor does not exist");
+  read_.insert(index);
   const auto count = reader.json["count"].count();
   if (!count || *count == 0) return reader.error("/count", "is not a positive integer");
   const auto layout = reader.layout();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "import/gltf/buffers.h"
@@ -22,6 +23,8 @@ struct Elements {
 using FloatElements = Elements<float>;
 using IntegerElements = Elements<std::uint32_t>;
 
+// False where nothing but zeros is meant, or what an extension puts in their place.
+bool is_stored(const JsonValue& accessor);
 // Number of components of "SCALAR", "VEC3", "MAT4" and so on; 0 if unknown.
 std::size_t component_count(std::string_view type);
 // Bytes of a component type by its OpenGL number; 0 if unknown.
@@ -43,13 +46,16 @@ class Accessors {
   [[nodiscard]] Expected<std::shared_ptr<const FloatElements>> floats(std::uint32_t index);
   // Only of unsigned integers.
   [[nodiscard]] Expected<IntegerElements> integers(std::uint32_t index);
+  bool was_read(std::uint32_t index) const { return read_.contains(index); }
   Buffers& buffers() { return buffers_; }
+  const Context& context() const { return buffers_.context(); }
 
  private:
   template <class T>
   [[nodiscard]] Expected<Elements<T>> read(std::uint32_t index);
 
   Buffers& buffers_;
+  std::set<std::uint32_t> read_;
   // Primitives that share vertices follow each other: the last few are kept.
   std::list<std::pair<std::uint32_t, std::shared_ptr<const FloatElements>>> recent_;
 };

@@ -25,6 +25,9 @@ Expected<Buffers::Buffer> Buffers::load_buffer(std::size_t index) const {
   Buffer buffer;
   if (!json.has("uri") && (index > 0 || !document.bin())) {
     // Allowed where nothing reads it: views into it may be compressed elsewhere.
+    if (!json["extensions"].has(kMeshopt)) {
+      context_->warn(pointer, "it has neither a uri nor the file a BIN chunk for it");
+    }
     buffer.is_missing = true;
     return buffer;
   }
@@ -33,6 +36,11 @@ Expected<Buffers::Buffer> Buffers::load_buffer(std::size_t index) const {
   } else if (is_data_uri(json["uri"].text())) {
     auto uri = decode_data_uri(json["uri"].text());
     if (!uri) return document.error(pointer + "/uri", uri.error().message);
+    if (uri->media_type != "application/octet-stream" &&
+        uri->media_type != "application/gltf-buffer") {
+      context_->warn(pointer + "/uri",
+                     fmt::format("\"{:.60}\" is not a type of glTF's buffers", uri->media_type));
+    }
     buffer.data = std::move(uri->bytes);
     buffer.bytes = bytes_of(buffer.data);
   } else {

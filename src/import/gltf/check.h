@@ -2,7 +2,13 @@
 // what breaks the specification, but leaves the picture as it was meant, is a warning.
 #pragma once
 
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "import/gltf/accessors.h"
 #include "import/gltf/context.h"
+#include "import/gltf/nodes.h"
 
 namespace dapple::gltf {
 
@@ -14,5 +20,10 @@ namespace dapple::gltf {
 [[nodiscard]] Status check_meshes(const Context& context);
 // Nodes, skins, animations, lights.
 [[nodiscard]] Status check_nodes(const Context& context);
+
+// What the data says, once everything that `nodes` show is in the scene: what is wrong with the
+// rest is a warning each. `images` are those that were read.
+void check_contents(const Context& context, Buffers& buffers, Accessors& accessors,
+                    const std::vector<PlacedNode>& nodes, const std::set<std::uint32_t>& images);
 
 }  // namespace dapple::gltf

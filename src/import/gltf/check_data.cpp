@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "import/gltf/accessors.h"
 #include "import/gltf/check.h"
 
@@ -23,7 +25,8 @@ class DataChecker {
     return each("bufferViews", &DataChecker::view)
         .and_then([&] { return each("accessors", &DataChecker::accessor); })
         .and_then([&] { return each("cameras", &DataChecker::camera); })
-        .and_then([&] { return each("images", &DataChecker::image); });
+        .and_then([&] { return each("images", &DataChecker::image); })
+        .and_then([&] { return each("textures", &DataChecker::texture); });
   }
 
  private:
@@ -60,6 +63,10 @@ class DataChecker {
   Status accessor(const JsonValue& a) {
     const std::uint64_t type = a["componentType"].count().value_or(0);
     const std::size_t components = component_count(a["type"].text());
+    if (components == 0) {
+      warn_if(true, "/type", a["type"].text() + " is not known: it cannot be read");
+      return {};
+    }
     const std::size_t component = component_bytes(type);
     const ElementSize element = element_size(type, a["type"].text());
     for (const char* bound : {"min", "max"}) {
@@ -118,8 +125,23 @@ class DataChecker {
     warn_if(i.has("mimeType") && type != "image/png" && type != "image/jpeg" &&
                 type != "image/webp" && type != "image/ktx2",
             "/mimeType", type + " is not a type of glTF's images");
+    warn_if(type == "image/webp" && !is_declared("EXT_texture_webp"), "/mimeType",
+            "image/webp needs EXT_texture_webp among extensionsUsed");
     warn_if(view_of(i).has("byteStride"), "/bufferView", "an image has no stride");
     return {};
+  }
+
+  Status texture(const JsonValue& t) {
+    const JsonValue& image = root_["images"][t["source"].index().value_or(0xffffffffu)];
+    warn_if(image["mimeType"].text() == "image/webp", "/source",
+            "a WebP image belongs into the extension EXT_texture_webp");
+    return {};
+  }
+
+  bool is_declared(std::string_view name) const {
+    const auto& used = root_["extensionsUsed"].items();
+    return std::any_of(used.begin(), used.end(),
+                       [&](const JsonValue& item) { return item.text() == name; });
   }
 
   const Context& context_;

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "import/gltf/check.h"
 
 namespace dapple::gltf {
 namespace {
 
+constexpr std::string_view kVariants = "KHR_materials_variants";
 constexpr std::string_view kNames[] = {"POSITION", "NORMAL",  "TANGENT", "TEXCOORD_",
                                        "COLOR_",   "JOINTS_", "WEIGHTS_"};
 
@@ -31,6 +35,12 @@ bool has_predecessor(const JsonValue& attributes, std::string_view name) {
     number = number * 10 + static_cast<std::uint32_t>(digit - '0');
   }
   return attributes.has(fmt::format("{}_{}", name.substr(0, line), number - 1));
+}
+
+// KHR_texture_transform's number of the coordinates comes before the texture's own.
+std::optional<std::uint32_t> texture_set(const JsonValue& info) {
+  const JsonValue& transform = info["extensions"]["KHR_texture_transform"];
+  return (transform.has("texCoord") ? transform : info)["texCoord"].index();
 }
 
 class MeshChecker {
@@ -92,7 +102,25 @@ class MeshChecker {
       }
     }
     textures(p);
+    variants(p);
     return {};
+  }
+
+  void variants(const JsonValue& p) const {
+    const std::string below = "/extensions/" + std::string(kVariants);
+    const JsonValue& declared = root_["extensions"][kVariants];
+    if (!p["extensions"].has(kVariants)) return;
+    warn_if(!declared.is_object(), below, "the root of the file names no variants");
+    std::set<std::uint32_t> mapped;
+    for (const JsonValue& mapping : p["extensions"][kVariants]["mappings"].items()) {
+      for (const JsonValue& item : mapping["variants"].items()) {
+        const std::uint32_t variant = item.index().value_or(0xffffffffu);
+        warn_if(!mapped.insert(variant).second, below,
+                fmt::format("maps variant {} twice; the first counts", variant));
+        warn_if(declared.is_object() && variant >= declared["variants"].size(), below,
+                fmt::format("variant {} does not exist", variant));
+      }
+    }
   }
 
   Status attribute(const JsonValue& attributes, const JsonMember& attribute, std::uint64_t count,
@@ -109,7 +137,7 @@ class MeshChecker {
       return error(
           below, fmt::format("it has {} elements where there are {} vertices", count_of(a), count));
     }
-    warn_if(a["componentType"].count() == 5125u && !attribute.key.starts_with('_'), below,
+    warn_if(a["componentType"].count() == 5125u, below,
             "attributes have no components of UNSIGNED_INT");
     if (attribute.key == "POSITION" || attribute.key == "NORMAL") {
       if (a["type"].text() != "VEC3") return error(below, "is not a VEC3");
@@ -119,9 +147,25 @@ class MeshChecker {
       warn_if(quantised && !is_required("KHR_mesh_quantization"), below,
               "integers need KHR_mesh_quantization among extensionsRequired");
     }
-    const JsonValue& view = root_["bufferViews"][a["bufferView"].index().value_or(0xffffffffu)];
-    warn_if(view["target"].count() == 34963u, below, "its buffer view is one for indices");
+    vertex_view(a, below, attribute.value.index().value_or(0));
     return {};
+  }
+
+  // The buffer view of an attribute.
+  void vertex_view(const JsonValue& a, const std::string& below, std::uint32_t accessor_number) {
+    const auto number = a["bufferView"].index();
+    const JsonValue& view = root_["bufferViews"][number.value_or(0xffffffffu)];
+    if (view.is_null()) return;
+    warn_if(view["target"].count() == 34963u, below, "its buffer view is one for indices");
+    const auto packed = element_size(a["componentType"].count().value_or(0), a["type"].text()).step;
+    const std::uint64_t offset =
+        a["byteOffset"].count().value_or(0) + view["byteOffset"].count().value_or(0);
+    warn_if((offset | view["byteStride"].count().value_or(packed)) % 4 != 0, below,
+            "its elements do not begin at multiples of four bytes");
+    const auto [first, is_new] = first_attribute_.try_emplace(*number, accessor_number);
+    if (is_new || first->second == accessor_number || view.has("byteStride")) return;
+    context_.warn(fmt::format("/bufferViews/{}", *number),
+                  "several attributes share it, so it needs a byteStride");
   }
 
   bool is_required(std::string_view name) const {
@@ -130,14 +174,17 @@ class MeshChecker {
                        [&](const JsonValue& item) { return item.text() == name; });
   }
 
-  Status indices(const JsonValue& p) const {
+  Status indices(const JsonValue& p) {
     if (!p.has("indices")) return {};
     const JsonValue& a = accessor(p["indices"]);
     const auto type = a["componentType"].count();
     if (a["type"].text() != "SCALAR" || (type != 5121u && type != 5123u && type != 5125u)) {
       return error("/indices", "is not of unsigned integers");
     }
-    const JsonValue& view = root_["bufferViews"][a["bufferView"].index().value_or(0xffffffffu)];
+    const std::uint32_t number = a["bufferView"].index().value_or(0xffffffffu);
+    const JsonValue& view = root_["bufferViews"][number];
+    warn_if(first_attribute_.contains(number), "/indices",
+            "its buffer view holds attributes of vertices too");
     warn_if(view.has("byteStride"), "/indices", "indices have no stride");
     warn_if(view["target"].count() == 34962u, "/indices", "its buffer view is one for vertices");
     return {};
@@ -149,15 +196,23 @@ class MeshChecker {
     std::uint32_t sets = 0;
     while (p["attributes"].has(fmt::format("TEXCOORD_{}", sets))) ++sets;
     look_for_textures(material, sets);
-    const bool directed =
-        material.has("normalTexture") || material["extensions"].has("KHR_materials_anisotropy");
-    warn_if(directed && sets == 0 && !p["attributes"].has("TANGENT"), "",
+    const JsonValue& extensions = material["extensions"];
+    const bool by_extension = extensions.has("KHR_materials_anisotropy") ||
+                              extensions["KHR_materials_clearcoat"].has("clearcoatNormalTexture");
+    const bool has_map = material.has("normalTexture");
+    if (p["attributes"].has("TANGENT") || !(by_extension || has_map)) return;
+    warn_if(sets == 0, "",
             "its material needs tangents, which neither it nor texture coordinates give");
+    warn_if(
+        sets > 0 && !has_map, "",
+        "its material needs tangents; without a normal map to say which, they follow the texture "
+        "coordinates");
   }
   void look_for_textures(const JsonValue& value, std::uint32_t sets) const {
     for (const JsonMember& member : value.members()) {
+      if (member.key == "extras") continue;
       if (member.key.ends_with("Texture") && member.value.is_object()) {
-        const std::uint32_t set = member.value["texCoord"].index().value_or(0);
+        const std::uint32_t set = texture_set(member.value).value_or(0);
         warn_if(set >= sets, "",
                 fmt::format("{} of its material needs TEXCOORD_{}", member.key, set));
       }
@@ -168,6 +223,7 @@ class MeshChecker {
   const Context& context_;
   const JsonValue& root_;
   std::string pointer_;  // of the primitive that is being checked
+  std::map<std::uint32_t, std::uint32_t> first_attribute_;  // accessor by buffer view
 };
 
 }  // namespace

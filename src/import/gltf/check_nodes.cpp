@@ -1,13 +1,64 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <vector>
 
 #include "import/gltf/accessors.h"
 #include "import/gltf/check.h"
 
 namespace dapple::gltf {
 namespace {
+
+// The trees that nodes form. Nodes of cycles, which are an error elsewhere, are roots of their own.
+struct Forest {
+  std::vector<std::uint32_t> root;        // of each node's tree
+  std::vector<std::uint32_t> begin, end;  // a node's number in a walk, and one past its last heir
+
+  explicit Forest(const JsonValue& nodes) : root(nodes.size()), begin(root), end(root) {
+    std::vector<bool> is_child(nodes.size(), false);
+    for (const JsonValue& node : nodes.items()) {
+      for (const JsonValue& child : node["children"].items()) is_child[*child.index()] = true;
+    }
+    std::iota(root.begin(), root.end(), 0u);
+    std::vector<bool> visited(nodes.size(), false);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+      if (!is_child[i]) walk(nodes, i, visited);
+    }
+  }
+
+  bool is_below(std::uint32_t node, std::uint32_t above) const {
+    return begin[above] <= begin[node] && begin[node] < end[above];
+  }
+
+ private:
+  void walk(const JsonValue& nodes, std::uint32_t top, std::vector<bool>& visited) {
+    struct Step {
+      std::uint32_t node;
+      std::size_t child;
+    };
+    std::vector<Step> path = {{top, 0}};
+    while (!path.empty()) {
+      auto& [node, child] = path.back();
+      if (child == 0) {
+        visited[node] = true;
+        root[node] = top;
+        begin[node] = count_++;
+      }
+      const JsonValue& children = nodes[node]["children"];
+      if (child == children.size()) {
+        end[node] = count_;
+        path.pop_back();
+        continue;
+      }
+      const std::uint32_t next = *children[child++].index();
+      if (!visited[next]) path.push_back({next, 0});
+    }
+  }
+
+  std::uint32_t count_ = 1;
+};
 
 class NodeChecker {
  public:
@@ -103,6 +154,7 @@ class NodeChecker {
   }
 
   Status skin(const JsonValue& s) const {
+    check_trees(s);
     const JsonValue& matrices = referred("accessors", s["inverseBindMatrices"]);
     if (!s.has("inverseBindMatrices")) return {};
     if (matrices["type"].text() != "MAT4" || matrices["componentType"].count() != 5126u) {
@@ -114,6 +166,20 @@ class NodeChecker {
     warn_if(referred("bufferViews", matrices["bufferView"]).has("byteStride"),
             "/inverseBindMatrices", "has a stride");
     return {};
+  }
+
+  // Joints hang together in one tree, below the skeleton if the skin names one.
+  void check_trees(const JsonValue& s) const {
+    const auto skeleton = s["skeleton"].index();
+    const JsonValue& joints = s["joints"];
+    std::size_t apart = 0, outside = 0;
+    for (const JsonValue& joint : joints.items()) {
+      const std::uint32_t node = joint.index().value_or(0);
+      apart += forest_.root[node] != forest_.root[joints[std::size_t{0}].index().value_or(0)];
+      outside += skeleton && !forest_.is_below(node, *skeleton);
+    }
+    warn_if(apart > 0, "/joints", "have no common root");
+    warn_if(outside > 0, "/skeleton", fmt::format("{} joints are not below it", outside));
   }
 
   Status animation(const JsonValue& a) const {
@@ -180,6 +246,7 @@ class NodeChecker {
 
   const Context& context_;
   const JsonValue& root_;
+  Forest forest_{root_["nodes"]};
   std::string pointer_;  // of the object that is being checked
 };
 

@@ -1,13 +1,14 @@
 #include "import/gltf/deform.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dapple::gltf {
 namespace {
 
 Vec3f unit_or_zero(const Vec3d& v) {
   const double norm = length(v);
-  return norm > 0 ? Vec3f(v / norm) : Vec3f();
+  return norm > 0 && std::isfinite(norm) ? Vec3f(v / norm) : Vec3f();
 }
 
 // Normals go by the inverse transpose. Its multiple by the determinant exists for every matrix; the

@@ -46,13 +46,15 @@ Status fill(const Context& context) {
   const auto everywhere = world_transforms(context, poses);
   if (!everywhere) return tl::unexpected(everywhere.error());
 
-  const auto textures = Textures::load(context, *buffers);
+  const auto textures = Textures::load(context, *buffers, materials_in_use(context, *nodes));
   if (!textures) return tl::unexpected(textures.error());
   Materials materials(context, *textures);
-  return Meshes(context, accessors, materials)
-      .add(*nodes, poses, *everywhere)
-      .and_then([&] { return add_cameras(context, *nodes); })
-      .and_then([&] { return add_lights(context, *nodes); });
+  const Status added = Meshes(context, accessors, materials)
+                           .add(*nodes, poses, *everywhere)
+                           .and_then([&] { return add_cameras(context, *nodes); })
+                           .and_then([&] { return add_lights(context, *nodes); });
+  if (added) check_contents(context, *buffers, accessors, *nodes, textures->images());
+  return added;
 }
 
 }  // namespace

@@ -51,6 +51,24 @@ Status check_variant(const Context& context) {
                           names.empty() ? "none" : names));
 }
 
+std::set<std::uint32_t> materials_in_use(const Context& context,
+                                         const std::vector<PlacedNode>& nodes) {
+  const Document& document = context.document;
+  const auto variant = chosen_variant(context);
+  std::set<std::uint32_t> meshes, materials;
+  for (const PlacedNode& node : nodes) {
+    const auto mesh = document["nodes"][node.index]["mesh"].index();
+    if (mesh) meshes.insert(*mesh);
+  }
+  for (const std::uint32_t mesh : meshes) {
+    for (const JsonValue& primitive : document["meshes"][mesh]["primitives"].items()) {
+      const auto material = material_of(primitive, variant).index();
+      if (material) materials.insert(*material);
+    }
+  }
+  return materials;
+}
+
 Expected<LayeredMaterial> Materials::of_primitive(const JsonValue& primitive,
                                                   const std::string& pointer) {
   const JsonValue& number = material_of(primitive, chosen_variant(context_));

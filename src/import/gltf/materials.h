@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "import/gltf/nodes.h"
 #include "import/gltf/textures.h"
 #include "math/vec4.h"
 
@@ -25,6 +26,10 @@ class Materials {
   const Textures& textures_;
   std::map<std::uint32_t, LayeredMaterial> known_;
 };
+
+// The materials of all primitives that these nodes show, under the variant that the options choose.
+[[nodiscard]] std::set<std::uint32_t> materials_in_use(const Context& context,
+                                                       const std::vector<PlacedNode>& nodes);
 
 // True when a material looks at the direction of the texture coordinates on the surface.
 bool needs_tangents(const LayeredMaterial& material);

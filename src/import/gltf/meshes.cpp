@@ -81,8 +81,11 @@ class ColouredMaterials {
   std::map<std::uint32_t, MaterialId> known_;
 };
 
-void add_points_and_lines(const Primitive& primitive, const Vertices& v,
-                          const LayeredMaterial& material, SceneBuilder& builder) {
+Status add_points_and_lines(const Primitive& primitive, const Vertices& v,
+                            const LayeredMaterial& material, SceneBuilder& builder) {
+  const std::uint64_t count = primitive.points.size() + primitive.lines.size();
+  constexpr std::uint64_t kBytes = 2 * sizeof(Cylinder) + sizeof(MaterialId);
+  if (auto taken = builder.budget().take(count, kBytes, "points and lines"); !taken) return taken;
   ColouredMaterials materials(builder, material);
   const auto colour = [&](std::uint32_t i) {
     return v.colours.empty() ? Vec4f{1, 1, 1, 1} : v.colours[i];
@@ -94,6 +97,7 @@ void add_points_and_lines(const Primitive& primitive, const Vertices& v,
     builder.add_line(Vec3d(v.positions[a]), Vec3d(v.positions[b]),
                      materials.of(0.5f * (colour(a) + colour(b))));
   }
+  return {};
 }
 
 // Where the file has none and the material needs them.
@@ -143,7 +147,9 @@ Status Meshes::add_baked(const LoadedMesh& mesh, const Placement& placement,
     }
     if (skinned ? mirrors(placement.joints) : determinant(to_world) < 0) flip(triangles);
     add_tangents(material, vertices, triangles);
-    add_points_and_lines(primitive, vertices, material, context_.builder);
+    if (auto ok = add_points_and_lines(primitive, vertices, material, context_.builder); !ok) {
+      return ok;
+    }
     if (triangles.empty()) continue;
     const MaterialId id = context_.builder.add_material(material);
     const MeshData data{std::move(vertices), std::move(triangles),
@@ -174,7 +180,9 @@ Status Meshes::add_shared(const LoadedMesh& mesh, const std::vector<const Placem
         if (!primitive.triangles.empty()) continue;
         Vertices vertices = morphed(primitive, placement->weights);
         place(to_world, vertices);
-        add_points_and_lines(primitive, vertices, material, context_.builder);
+        if (auto ok = add_points_and_lines(primitive, vertices, material, context_.builder); !ok) {
+          return ok;
+        }
       }
       if (*prototype == kNoPrototype) continue;
       const auto rounded = rounded_transform(to_world);

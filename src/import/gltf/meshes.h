@@ -45,6 +45,9 @@ class Meshes {
 
   [[nodiscard]] Expected<Placement> placement(const PlacedNode& node, const NodePose& pose,
                                               const std::vector<Transformd>& everywhere);
+  // Memory of which what stands at `pointer` wants count * size bytes.
+  [[nodiscard]] Status take(std::uint64_t count, std::uint64_t size, const std::string& pointer);
+  std::size_t custom_count(const JsonValue& attributes) const;
   [[nodiscard]] Expected<std::vector<Transformd>> gpu_instances(const JsonValue& node,
                                                                 const std::string& pointer);
   [[nodiscard]] Expected<std::vector<Transformd>> joints_of(

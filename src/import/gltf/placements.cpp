@@ -26,6 +26,21 @@ std::vector<double> weights_of(const JsonValue& mesh, const NodePose& pose) {
 
 }  // namespace
 
+Status Meshes::take(std::uint64_t count, std::uint64_t size, const std::string& pointer) {
+  const Status taken = context_.builder.budget().take(count, size, pointer);
+  return taken ? taken : context_.document.error(pointer, taken.error().message);
+}
+
+// How many instances attributes of other names than those of transforms tell; 0: there are none.
+std::size_t Meshes::custom_count(const JsonValue& attributes) const {
+  for (const JsonMember& member : attributes.members()) {
+    const auto accessor = member.value.index();
+    if (!member.key.starts_with('_') || !accessor) continue;
+    return context_.document["accessors"][*accessor]["count"].count().value_or(0);
+  }
+  return 0;
+}
+
 Expected<std::vector<Transformd>> Meshes::gpu_instances(const JsonValue& node,
                                                         const std::string& pointer) {
   const std::string place = pointer + "/extensions/" + kGpuInstancing;
@@ -36,7 +51,7 @@ Expected<std::vector<Transformd>> Meshes::gpu_instances(const JsonValue& node,
   if (!translations) return tl::unexpected(translations.error());
   if (!rotations) return tl::unexpected(rotations.error());
   if (!scales) return tl::unexpected(scales.error());
-  std::size_t count = 0;
+  std::size_t count = custom_count(node["extensions"][kGpuInstancing]["attributes"]);
   for (const SharedFloats& elements : {*translations, *rotations, *scales}) {
     if (elements == nullptr) continue;
     const std::size_t components = elements == *rotations ? 4 : 3;
@@ -44,6 +59,9 @@ Expected<std::vector<Transformd>> Meshes::gpu_instances(const JsonValue& node,
       return context_.document.error(place, "its attributes differ in type or count");
     }
     count = elements->count();
+  }
+  if (auto taken = take(count, sizeof(Transformd), pointer); !taken) {
+    return tl::unexpected(taken.error());
   }
   std::vector<Transformd> transforms;
   transforms.reserve(count);
@@ -76,6 +94,9 @@ Expected<std::vector<Transformd>> Meshes::joints_of(const JsonValue& node,
       return document.error(place + "/inverseBindMatrices", "is not a matrix for each joint");
     }
   }
+  if (auto taken = take(skin["joints"].size(), sizeof(Transformd), pointer); !taken) {
+    return tl::unexpected(taken.error());
+  }
   std::vector<Transformd> joints;
   for (std::size_t i = 0; i < skin["joints"].size(); ++i) {
     const auto joint = skin["joints"][i].index();
@@ -99,6 +120,9 @@ Expected<Meshes::Placement> Meshes::placement(const PlacedNode& node, const Node
   const JsonValue& mesh = context_.document["meshes"][placement.mesh];
   if (mesh.is_null()) return context_.document.error(pointer + "/mesh", "the mesh does not exist");
   placement.weights = weights_of(mesh, pose);
+  if (auto taken = take(placement.weights.size(), sizeof(double), pointer); !taken) {
+    return tl::unexpected(taken.error());
+  }
   placement.to_world = {node.to_world};
   if (json.has("skin")) {
     auto joints = joints_of(json, pointer, everywhere);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "import/gltf/attributes.h"
 #include "import/gltf/draco.h"
 #include "import/gltf/topology.h"
+#include "import/vertex_arrays.h"
 
 namespace dapple::gltf {
 namespace {
@@ -53,12 +55,26 @@ void drop_unused_vertices(std::vector<std::uint32_t>& indices, Primitive& primit
   for (std::uint32_t& index : indices) index = new_number[index];
 }
 
-Expected<std::vector<std::uint32_t>> read_indices(Accessors& accessors, const JsonValue& json) {
+// The greatest number of its component type.
+std::uint32_t restart_index(const JsonValue& accessor) {
+  const std::size_t bytes = component_bytes(accessor["componentType"].count().value_or(0));
+  return 0xffffffffu >> (32 - 8 * bytes);
+}
+
+Expected<std::vector<std::uint32_t>> read_indices(Accessors& accessors, const JsonValue& json,
+                                                  Primitive& primitive) {
   const auto index = json["indices"].index();
   if (!index) return fail(Errc::bad_data, "indices", "is not the number of an accessor");
   auto elements = accessors.integers(*index);
   if (!elements) return tl::unexpected(elements.error());
   if (elements->components != 1) return fail(Errc::bad_data, "indices", "is not of scalars");
+  const std::uint32_t restart = restart_index(accessors.context().document["accessors"][*index]);
+  const auto count = std::count(elements->values.begin(), elements->values.end(), restart);
+  if (count > 0) {
+    primitive.doubts.push_back(fmt::format(
+        "{} of its indices are {}, which restarts primitives elsewhere; here it is a vertex", count,
+        restart));
+  }
   return std::move(elements->values);
 }
 
@@ -110,7 +126,7 @@ class PrimitiveReader {
       indices = counted_indices(primitive.vertices.positions.size());
       return {};
     }
-    auto read = read_indices(accessors_, json_);
+    auto read = read_indices(accessors_, json_, primitive);
     if (!read) return tl::unexpected(read.error());
     indices = std::move(*read);
     if (primitive.vertices.positions.empty()) indices.clear();
@@ -129,9 +145,15 @@ class PrimitiveReader {
   Status read_targets(Primitive& primitive) {
     const JsonValue& targets = json_["targets"];
     if (targets.size() > kMaxMorphTargets) return fail(Errc::bad_data, "targets", "too many");
+    const std::size_t count = primitive.vertices.positions.size();
+    if (auto taken =
+            context_.builder.budget().take(targets.size() * count, kMaxVertexBytes, "targets");
+        !taken) {
+      return taken;
+    }
     for (const JsonValue& names : targets.items()) {
       AccessorSource source(accessors_, names);
-      auto target = read_target(source, primitive.vertices.positions.size());
+      auto target = read_target(source, count);
       if (!target) return tl::unexpected(target.error());
       primitive.targets.push_back(std::move(*target));
     }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <deque>
+#include <map>
 #include <numbers>
 #include <set>
 
-#include "import/gltf/uri.h"
-#include "import/image_loader.h"
+#include "import/gltf/pictures.h"
 #include "math/functions.h"
 
 namespace dapple::gltf {
@@ -23,9 +22,13 @@ Wrap wrap_of(const JsonValue& mode) {
   return number == kMirroredRepeat ? Wrap::mirrored_repeat : Wrap::repeat;
 }
 
-// Every textureInfo of a material, extensions included, is an object under a key "...Texture".
+// The textures of a material: every textureInfo, extensions included, is an object under a key
+// "...Texture". Occlusion and thickness are for renderers that cannot tell by their rays.
 void collect_textures(const JsonValue& value, std::set<std::uint32_t>& textures) {
   for (const JsonMember& member : value.members()) {
+    const bool counts = member.key != "occlusionTexture" && member.key != "thicknessTexture" &&
+                        member.key != "extras";
+    if (!counts) continue;
     const auto index = member.value["index"].index();
     if (member.key.ends_with("Texture") && index) textures.insert(*index);
     collect_textures(member.value, textures);
@@ -37,41 +40,6 @@ std::optional<std::uint32_t> source_of(const JsonValue& texture) {
   const JsonValue& webp = texture["extensions"]["EXT_texture_webp"]["source"];
   return webp.is_number() ? webp.index() : texture["source"].index();
 }
-
-// The bytes of pictures, wherever they come from, kept until all are decoded.
-class Pictures {
- public:
-  Pictures(const Context& context, Buffers& buffers) : context_(context), buffers_(buffers) {}
-
-  Expected<std::span<const std::byte>> bytes(std::uint32_t image) {
-    const Document& document = context_.document;
-    const JsonValue& json = document["images"][image];
-    const std::string pointer = fmt::format("/images/{}", image);
-    if (json.is_null()) return document.error(pointer, "the image does not exist");
-    if (json.has("bufferView")) {
-      const auto view = json["bufferView"].index();
-      if (!view) return document.error(pointer + "/bufferView", "is not the number of a view");
-      return buffers_.view(*view);
-    }
-    const std::string& uri = json["uri"].text();
-    if (is_data_uri(uri)) {
-      auto data = decode_data_uri(uri);
-      if (!data) return document.error(pointer + "/uri", data.error().message);
-      return std::as_bytes(std::span(data_.emplace_back(std::move(data->bytes))));
-    }
-    const auto name = file_of_uri(uri);
-    if (!name) return document.error(pointer + "/uri", name.error().message);
-    auto file = document.folder().open(*name);
-    if (!file) return fail(file.error().code, document.place(pointer), to_string(file.error()));
-    return files_.emplace_back(std::move(*file)).bytes();
-  }
-
- private:
-  const Context& context_;
-  Buffers& buffers_;
-  std::deque<MappedFile> files_;
-  std::deque<std::vector<std::uint8_t>> data_;
-};
 
 struct Wanted {
   std::uint32_t texture = 0;
@@ -92,68 +60,92 @@ void set_transform(const JsonValue& transform, TextureSlot& slot) {
   }
 }
 
-}  // namespace
+// Textures with the bytes of their pictures, each once.
+class Gatherer {
+ public:
+  Gatherer(const Context& context, Pictures& pictures) : context_(context), pictures_(pictures) {}
 
-Expected<Textures> Textures::load(const Context& context, Buffers& buffers) {
-  const Document& document = context.document;
-  std::set<std::uint32_t> used;
-  for (const JsonValue& material : document["materials"].items()) collect_textures(material, used);
-
-  // Fetch the bytes.
-  Pictures pictures(context, buffers);
-  std::vector<EncodedImage> encoded;
-  std::map<std::uint32_t, std::size_t> picture_of_image;
-  std::vector<Wanted> wanted;
-  for (const std::uint32_t texture : used) {
-    const JsonValue& json = document["textures"][texture];
-    if (json.is_null()) continue;
-    Wanted want{texture, {}};
+  Status add(std::uint32_t texture) {
+    const JsonValue& json = context_.document["textures"][texture];
+    if (json.is_null()) return {};
     const auto image = source_of(json);
     const std::string pointer = fmt::format("/textures/{}", texture);
-    if (json["extensions"].has("KHR_texture_basisu") && image) {
-      context.warn(pointer, "KHR_texture_basisu cannot be decoded: its fallback image is used");
+    const bool basisu = json["extensions"].has("KHR_texture_basisu");
+    if (basisu && image) {
+      context_.warn(pointer, "KHR_texture_basisu cannot be decoded: its fallback image is used");
     }
-    if (!image) {
-      const bool basisu = json["extensions"].has("KHR_texture_basisu");
-      const auto error =
-          document.error(pointer, basisu ? "it has only a KTX2 image, which cannot be decoded"
-                                         : "it has no image");
-      if (basisu) {
-        if (auto ok = context.tolerate(error.value()); !ok) return tl::unexpected(ok.error());
-      } else {
-        context.log.warn(to_string(error.value()));
+    wanted_.push_back({texture, {}});
+    if (!image) return without_image(pointer, basisu);
+    const auto [known, is_new] = place_of_image_.try_emplace(*image, encoded_.size());
+    if (is_new) {
+      auto encoded = pictures_.encoded(*image);
+      if (!encoded) {
+        place_of_image_.erase(known);
+        return context_.tolerate(encoded.error());
       }
-    } else if (const auto known = picture_of_image.find(*image); known != picture_of_image.end()) {
-      want.picture = known->second;
-    } else {
-      const auto bytes = pictures.bytes(*image);
-      if (bytes) {
-        want.picture = encoded.size();
-        picture_of_image[*image] = encoded.size();
-        encoded.push_back({*bytes, document.place(fmt::format("/images/{}", *image))});
-      } else if (auto ok = context.tolerate(bytes.error()); !ok) {
-        return tl::unexpected(ok.error());
-      }
+      encoded_.push_back(std::move(*encoded));
     }
-    wanted.push_back(want);
+    wanted_.back().picture = known->second;
+    return {};
   }
 
-  const auto ids = load_images(encoded, context.options.keep_going, context.builder, context.log);
+  const std::vector<EncodedImage>& encoded() const { return encoded_; }
+  const std::vector<Wanted>& wanted() const { return wanted_; }
+  std::set<std::uint32_t> images() const {
+    std::set<std::uint32_t> numbers;
+    for (const auto& [image, place] : place_of_image_) numbers.insert(image);
+    return numbers;
+  }
+
+ private:
+  Status without_image(const std::string& pointer, bool basisu) const {
+    const auto error = context_.document.error(
+        pointer, basisu ? "it has only a KTX2 image, which cannot be decoded" : "it has no image");
+    if (basisu) return context_.tolerate(error.value());
+    context_.log.warn(to_string(error.value()));
+    return {};
+  }
+
+  const Context& context_;
+  Pictures& pictures_;
+  std::vector<EncodedImage> encoded_;
+  std::map<std::uint32_t, std::size_t> place_of_image_;  // in encoded_
+  std::vector<Wanted> wanted_;
+};
+
+Texture settings_of(const Document& document, std::uint32_t texture, ImageId image) {
+  const auto sampler = document["textures"][texture]["sampler"].index();
+  const JsonValue& json = document["samplers"][sampler.value_or(0xffffffffu)];
+  const bool nearest = json["magFilter"].count() == kNearest;
+  return {image, wrap_of(json["wrapS"]), wrap_of(json["wrapT"]),
+          nearest ? Filter::nearest : Filter::linear};
+}
+
+}  // namespace
+
+Expected<Textures> Textures::load(const Context& context, Buffers& buffers,
+                                  const std::set<std::uint32_t>& materials) {
+  const Document& document = context.document;
+  std::set<std::uint32_t> used;
+  for (const std::uint32_t material : materials) {
+    collect_textures(document["materials"][material], used);
+  }
+  Pictures pictures(context, buffers);
+  Gatherer gathered(context, pictures);
+  for (const std::uint32_t texture : used) {
+    if (auto added = gathered.add(texture); !added) return tl::unexpected(added.error());
+  }
+  const auto ids =
+      load_images(gathered.encoded(), context.options.keep_going, context.builder, context.log);
   if (!ids) return tl::unexpected(ids.error());
   Textures textures(context);
+  textures.images_ = gathered.images();
   textures.textures_.resize(document["textures"].size());
-  for (const Wanted& want : wanted) {
+  for (const Wanted& want : gathered.wanted()) {
     const ImageId image = want.picture ? (*ids)[*want.picture] : kNoImage;
-    if (image == kNoImage) {
-      textures.textures_[want.texture] = context.builder.magenta_texture();
-      continue;
-    }
-    const auto sampler = document["textures"][want.texture]["sampler"].index();
-    const JsonValue& json = document["samplers"][sampler.value_or(0xffffffffu)];
-    const bool nearest = json["magFilter"].count() == kNearest;
     textures.textures_[want.texture] =
-        context.builder.add_texture({image, wrap_of(json["wrapS"]), wrap_of(json["wrapT"]),
-                                     nearest ? Filter::nearest : Filter::linear});
+        image == kNoImage ? context.builder.magenta_texture()
+                          : context.builder.add_texture(settings_of(document, want.texture, image));
   }
   return textures;
 }

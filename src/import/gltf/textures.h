@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,12 @@ namespace dapple::gltf {
 
 class Textures {
  public:
-  // Decodes every picture that a material of the file uses.
-  [[nodiscard]] static Expected<Textures> load(const Context& context, Buffers& buffers);
+  // Decodes every picture that the surfaces of these materials show.
+  [[nodiscard]] static Expected<Textures> load(const Context& context, Buffers& buffers,
+                                               const std::set<std::uint32_t>& materials);
+
+  // The images that were read, by the file's numbers.
+  const std::set<std::uint32_t>& images() const { return images_; }
 
   // What a textureInfo object says; nothing when it is null.
   [[nodiscard]] Expected<TextureSlot> slot(const JsonValue& info, const std::string& pointer) const;
@@ -23,6 +28,7 @@ class Textures {
   explicit Textures(const Context& context) : context_(&context) {}
 
   const Context* context_;
+  std::set<std::uint32_t> images_;
   std::vector<std::optional<TextureId>> textures_;  // by the file's numbers; empty: not in use
 };
 

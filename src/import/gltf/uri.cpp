@@ -54,6 +54,18 @@ bool has_scheme(std::string_view uri) {
   return colon != std::string_view::npos && colon < std::min(uri.find('/'), uri.size());
 }
 
+// RFC 2397: a type, then attributes after semicolons, the last of which may be "base64".
+bool is_media_type(std::string_view head) {
+  if (head.ends_with(";base64")) head.remove_suffix(7);
+  for (std::size_t semicolon = head.find(';'); semicolon != head.npos;
+       semicolon = head.find(';', semicolon + 1)) {
+    const std::string_view attribute = head.substr(semicolon + 1);
+    const std::size_t equals = attribute.substr(0, attribute.find(';')).find('=');
+    if (equals == 0 || equals == attribute.npos) return false;
+  }
+  return true;
+}
+
 Expected<std::string> decode_percent(std::string_view text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -80,6 +92,10 @@ Expected<DataUri> decode_data_uri(std::string_view uri) {
   if (comma == std::string_view::npos) return fail(Errc::bad_data, "", "a data URI without data");
   const std::string_view head = uri.substr(5, comma - 5);
   const std::string_view data = uri.substr(comma + 1);
+  if (!is_media_type(head)) {
+    return fail(Errc::bad_data, "",
+                fmt::format("a data URI of the malformed type \"{}\"", head.substr(0, 60)));
+  }
   DataUri result{head.substr(0, head.find(';')), {}};
   if (head.ends_with(";base64")) {
     auto bytes = decode_base64(data);
@@ -94,6 +110,7 @@ Expected<DataUri> decode_data_uri(std::string_view uri) {
 }
 
 Expected<std::string> file_of_uri(std::string_view uri) {
+  if (uri.empty()) return fail(Errc::bad_data, "", "an empty URI");
   if (has_scheme(uri) || uri.starts_with("//")) {
     return fail(Errc::bad_data, "",
                 fmt::format("\"{}\" is no file beside this one", uri.substr(0, 200)));
