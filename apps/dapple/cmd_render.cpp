@@ -18,6 +18,7 @@
 #include "parallel/parallel.h"
 #include "render/lit_scene.h"
 #include "render/render_job.h"
+#include "render/sight.h"
 
 namespace dapple {
 namespace {
@@ -91,9 +92,16 @@ double lap(Clock& clock) {
   return seconds;
 }
 
+void print_warning(const std::string& text) {
+  print_message(fmt::format("dapple: warning: {}\n", text));
+}
+
 Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, Report& report) {
   Clock clock;
   const PreparedScene prepared(scene, make_accel(report.accel, scene, report.bvh_quality));
+  if (!report.classic && !sees_surfaces(prepared, report.settings)) {
+    print_warning("no surface is in the camera's sight");
+  }
   report.build_seconds = lap(clock);
   ProgressBar bar(show_progress, report.samples());
   RenderControl control;
@@ -102,10 +110,6 @@ Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, 
   auto result = render(prepared, report.settings, control);
   report.render_seconds = lap(clock);
   return result;
-}
-
-void print_warning(const std::string& text) {
-  print_message(fmt::format("dapple: warning: {}\n", text));
 }
 
 bool is_black(const Image& image) {
@@ -119,7 +123,7 @@ void print_warnings(const Report& report, const Image& image) {
         fmt::format("{} samples were not finite and count as black", report.dropped_samples));
   }
   if (is_black(image)) {
-    print_warning("the picture is black: no light reaches the camera, or nothing is in its sight");
+    print_warning("the picture is black: no light reaches the camera");
   }
   if (report.clamped_radiance > 0) {
     print_warning(fmt::format("clamping took {:.3g} of radiance from the mean pixel",

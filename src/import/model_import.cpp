@@ -73,23 +73,29 @@ Expected<TextureId> ModelImport::missing(const Error& reason, const std::string&
   return builder_.magenta_texture();
 }
 
-void ModelImport::warn_of_left_out() {
-  const auto& left_out = builder_.left_out();
-  if (left_out.not_finite > 0) {
-    log_.warn(
-        fmt::format("{}: {} triangles with coordinates that are not finite or too large are "
-                    "left out",
-                    path_, left_out.not_finite));
+std::vector<std::string> ModelImport::left_out() const {
+  std::vector<std::string> reasons;
+  const auto& counts = builder_.left_out();
+  if (counts.not_finite > 0) {
+    reasons.push_back(
+        fmt::format("{} triangles with coordinates that are not finite or too large are left out",
+                    counts.not_finite));
   }
-  if (left_out.without_area > 0) {
-    log_.warn(
-        fmt::format("{}: {} triangles without area are left out", path_, left_out.without_area));
+  if (counts.without_area > 0) {
+    reasons.push_back(fmt::format("{} triangles without area are left out", counts.without_area));
   }
+  return reasons;
 }
 
 Expected<ImportResult> ModelImport::finish() {
-  warn_of_left_out();
-  if (builder_.is_empty()) return fail(Errc::bad_data, path_, "holds nothing that can be seen");
+  const auto reasons = left_out();
+  if (builder_.is_empty()) {
+    std::string message = "holds nothing that can be seen";
+    for (const std::string& warning : log_.take()) message += "; " + warning;
+    for (const std::string& reason : reasons) message += "; " + reason;
+    return fail(Errc::bad_data, path_, message);
+  }
+  for (const std::string& reason : reasons) log_.warn(path_ + ": " + reason);
   auto scene = builder_.finish(options_.camera, options_.point_radius);
   if (!scene) return tl::unexpected(scene.error());
   if (scene->environment.kind == EnvironmentKind::classic_sky) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "import/import_log.h"
 #include "import/import_options.h"
@@ -56,7 +57,8 @@ class ModelImport {
         builder_(options.max_bytes) {}
 
   [[nodiscard]] Expected<TextureId> missing(const Error& reason, const std::string& place);
-  void warn_of_left_out();
+  // What was left out and why, a sentence each.
+  [[nodiscard]] std::vector<std::string> left_out() const;
 
   std::string path_;
   ImportOptions options_;

@@ -1,6 +1,7 @@
 // `dapple render` with models, from outside: the size of pictures, and what broken files lead to.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
@@ -50,6 +51,72 @@ TEST(RenderModels, APictureHasTheShapeThatItsCameraIsMeantFor) {
   EXPECT_EQ(size_of_picture(folder, "cameras.gltf", {"--width=40", "--camera=1"}), Size(40, 600));
   EXPECT_EQ(size_of_picture(folder, "cameras.gltf", {"--width=40", "--orbit=0,90,2"}),
             Size(40, 600));
+}
+
+// What went wrong, and whether a picture was written.
+struct Outcome {
+  int exit_code = -1;
+  std::string messages;
+  bool has_picture = false;
+};
+
+Outcome outcome_of(const std::map<std::string, std::string>& files, const std::string& scene,
+                   const Words& more = {}) {
+  const TestFolder folder;
+  for (const auto& [name, text] : files) folder.write(name, text);
+  Words words = {"dapple", "render", scene, "-o", "out.png", "--spp=1", "--width=8", "--height=6"};
+  words.insert(words.end(), more.begin(), more.end());
+  const auto result = folder.run(words);
+  const auto names = folder.names();
+  return {result.exit_code, result.err, std::ranges::count(names, "out.png") == 1};
+}
+
+void expect_refusal(const Outcome& outcome, int exit_code, const std::string& part) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.messages;
+  EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages;
+  EXPECT_FALSE(outcome.has_picture);
+}
+
+void expect_warning(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("warning: "), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find(part), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(outcome.has_picture);
+}
+
+TEST(RenderModels, AMissingTextureIsNamed) {
+  const std::map<std::string, std::string> files = {
+      {"a.obj", "mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n"},
+      {"a.mtl", "newmtl m\nmap_Kd absent.png\n"}};
+  expect_refusal(outcome_of(files, "a.obj"), 66, "a.mtl:2: absent.png: cannot open");
+  expect_warning(outcome_of(files, "a.obj", {"--keep-going"}), "absent.png: cannot open");
+}
+
+TEST(RenderModels, AMissingBufferIsNamed) {
+  const std::map<std::string, std::string> files = {
+      {"a.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"absent.bin"}]})"}};
+  expect_refusal(outcome_of(files, "a.gltf"), 66, "absent.bin: cannot open");
+  expect_warning(outcome_of(files, "a.gltf", {"--keep-going"}), "absent.bin: cannot open");
+}
+
+TEST(RenderModels, AnErrorSaysWhyNothingIsLeft) {
+  expect_refusal(outcome_of({{"a.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}, "a.obj"), 65,
+                 "1 triangles with coordinates that are not finite");
+  expect_refusal(outcome_of({{"a.obj", "v 0 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n"}}, "a.obj"), 65,
+                 "1 triangles without area");
+}
+
+TEST(RenderModels, APictureOfNothingIsAWarning) {
+  const auto pbrt = [](const std::string& world) {
+    return outcome_of({{"a.pbrt", "Camera \"perspective\"\nWorldBegin\n" + world}}, "a.pbrt");
+  };
+  const std::string sky = "LightSource \"infinite\"\n", shape = "Shape \"sphere\"\n";
+  expect_warning(pbrt(sky + "Translate 0 0 -5 " + shape), "no surface is in the camera's sight");
+  expect_warning(pbrt(sky + "Translate 0 9 5 " + shape), "no surface is in the camera's sight");
+  expect_warning(pbrt("LightSource \"point\" \"rgb I\" [0 0 0] Translate 0 0 5 " + shape),
+                 "the picture is black");
+  // From inside of a closed shape, whose sky is outside.
+  expect_warning(pbrt(sky + "Material \"diffuse\"\n" + shape), "the picture is black");
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ struct Reader {
       if (indices[i] < elements.count() && (i == 0 || indices[i] > indices[i - 1])) continue;
       return error(
           "/sparse/indices",
-          fmt::format("index {} (the {}th) does not exist or does not increase", indices[i], i));
+          fmt::format("index {} at place {} does not exist or does not increase", indices[i], i));
     }
     Layout value_layout = packed_layout(base.component_type, json["type"].text());
     value_layout.normalised = base.normalised;

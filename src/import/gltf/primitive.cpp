@@ -92,9 +92,10 @@ Status check_indices(const std::vector<std::uint32_t>& indices, std::size_t vert
     first = i;
   }
   if (bad == 0) return {};
-  return fail(Errc::bad_data, "indices",
-              fmt::format("{} of its {} indices are beyond the {} vertices, first the {}th: {}",
-                          bad, indices.size(), vertex_count, first, indices[first]));
+  return fail(
+      Errc::bad_data, "indices",
+      fmt::format("{} of its {} indices are beyond the {} vertices, the first at place {}: {}", bad,
+                  indices.size(), vertex_count, first, indices[first]));
 }
 
 class PrimitiveReader {

@@ -76,6 +76,7 @@ class Gatherer {
     }
     wanted_.push_back({texture, {}});
     if (!image) return without_image(pointer, basisu);
+    images_.insert(*image);
     const auto [known, is_new] = place_of_image_.try_emplace(*image, encoded_.size());
     if (is_new) {
       auto encoded = pictures_.encoded(*image);
@@ -91,11 +92,8 @@ class Gatherer {
 
   const std::vector<EncodedImage>& encoded() const { return encoded_; }
   const std::vector<Wanted>& wanted() const { return wanted_; }
-  std::set<std::uint32_t> images() const {
-    std::set<std::uint32_t> numbers;
-    for (const auto& [image, place] : place_of_image_) numbers.insert(image);
-    return numbers;
-  }
+  // The numbers of all images that were asked for.
+  const std::set<std::uint32_t>& images() const { return images_; }
 
  private:
   Status without_image(const std::string& pointer, bool basisu) const {
@@ -111,6 +109,7 @@ class Gatherer {
   std::vector<EncodedImage> encoded_;
   std::map<std::uint32_t, std::size_t> place_of_image_;  // in encoded_
   std::vector<Wanted> wanted_;
+  std::set<std::uint32_t> images_;
 };
 
 Texture settings_of(const Document& document, std::uint32_t texture, ImageId image) {

@@ -18,7 +18,7 @@ class Textures {
   [[nodiscard]] static Expected<Textures> load(const Context& context, Buffers& buffers,
                                                const std::set<std::uint32_t>& materials);
 
-  // The images that were read, by the file's numbers.
+  // The images that were asked for, by the file's numbers.
   const std::set<std::uint32_t>& images() const { return images_; }
 
   // What a textureInfo object says; nothing when it is null.

@@ -1,0 +1,42 @@
+#include "render/sight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/camera_rays.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kCoarseStep = 16;
+constexpr double kMostRays = 1 << 20;
+
+// Tries every `step`th pixel of every `step`th row.
+bool any_hit(const PreparedScene& scene, const RenderSettings& settings, const CameraRays& rays,
+             int step) {
+  std::vector<Ray> row;
+  std::vector<std::uint8_t> occluded;
+  for (int y = step / 2; y < settings.height; y += step) {
+    row.clear();
+    for (int x = step / 2; x < settings.width; x += step) {
+      row.push_back(rays.generate(x, y, {0.5f, 0.5f, 0.5f, 0.5f}));
+    }
+    occluded.assign(row.size(), 0);
+    scene.accel().occluded(row, occluded);
+    if (std::ranges::any_of(occluded, [](std::uint8_t hit) { return hit != 0; })) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool sees_surfaces(const PreparedScene& scene, const RenderSettings& settings) {
+  const auto rays = CameraRays::create(scene.camera(), settings);
+  if (!rays) return false;
+  const double pixels = double(settings.width) * settings.height;
+  const int fine = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostRays))));
+  return any_hit(scene, settings, *rays, kCoarseStep) || any_hit(scene, settings, *rays, fine);
+}
+
+}  // namespace dapple
