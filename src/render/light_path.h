@@ -1,6 +1,7 @@
 // A path of light on its way through a lit scene.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "math/ray.h"
@@ -12,6 +13,19 @@
 namespace dapple {
 
 inline constexpr MaterialId kVacuum{0xffffffffu};
+
+// The bodies that a ray is inside of, the last one entered first; what is in that one fills the
+// space. One that is entered within three others makes the outermost forgotten.
+struct Insides {
+  static constexpr std::size_t kDepth = 4;
+  std::array<MaterialId, kDepth> bodies{kVacuum, kVacuum, kVacuum, kVacuum};
+
+  MaterialId innermost() const { return bodies[0]; }
+  void enter(MaterialId body);
+  // Bodies may overlap: the one that is left need not be the last one entered, nor have been
+  // entered.
+  void leave(MaterialId body);
+};
 
 struct LightPath {
   Vec3f throughput{1, 1, 1};
@@ -26,8 +40,8 @@ struct LightPath {
   float cone_spread = 0;  // growth of the width along the ray
   float alpha = 0;        // 1 once the path met something
   PathSampler::Place sample;
-  std::uint32_t pixel = 0;      // of the tile
-  MaterialId medium = kVacuum;  // whose inside the ray is in
+  std::uint32_t pixel = 0;  // of the tile
+  Insides insides;
   std::uint16_t scatterings = 0;
   std::uint16_t vertices =
       0;                // scatterings and straight passages: what random numbers are keyed by

@@ -45,8 +45,8 @@ void PathVertices::add(const Vec3f& radiance, LightPath& path) const {
 
 bool PathVertices::advance(std::uint32_t index, LightPath& path, Ray& ray, const Hit& hit,
                            std::vector<ShadowRay>& shadow_rays) const {
-  if (path.medium != kVacuum) {
-    const Medium medium = lit_.materials().interior(path.medium);
+  if (path.insides.innermost() != kVacuum) {
+    const Medium medium = lit_.materials().interior(path.insides.innermost());
     if (medium.scatters()) {
       const auto u = numbers(path, Decision::medium);
       const auto event = sample_distance(medium, hit.t, path.throughput, u[0], u[1]);
@@ -162,7 +162,11 @@ void PathVertices::change_medium(const Surface& surface, const BsdfSample& sampl
                                  LightPath& path) const {
   if (!lit_.materials().has_interior(surface.material)) return;
   const bool inwards = dot(sample.wi, surface.at.geometric_normal) < 0;
-  path.medium = inwards ? surface.material : kVacuum;
+  if (inwards) {
+    path.insides.enter(surface.material);
+  } else {
+    path.insides.leave(surface.material);
+  }
 }
 
 // With the probability that the throughput says, at least a little, so that dark paths end soon.

@@ -20,7 +20,9 @@ bool any_hit(const PreparedScene& scene, const RenderSettings& settings, const C
   for (int y = step / 2; y < settings.height; y += step) {
     row.clear();
     for (int x = step / 2; x < settings.width; x += step) {
-      row.push_back(rays.generate(x, y, {0.5f, 0.5f, 0.5f, 0.5f}));
+      Ray ray = rays.generate(x, y, {0.5f, 0.5f, 0.5f, 0.5f});
+      ray.direction = normalize(ray.direction);
+      row.push_back(ray);
     }
     occluded.assign(row.size(), 0);
     scene.accel().occluded(row, occluded);

@@ -144,6 +144,21 @@ TEST_F(Pbrt, AFieldOfViewCountsAcrossTheShorterSide) {
   EXPECT_EQ(*result->resolution, (std::array<int, 2>{100, 200}));
 }
 
+TEST_F(Pbrt, MediaThatFillNothingAreWarnings) {
+  const auto warnings = [&](const std::string& interfaces) {
+    const auto result = import(
+        "WorldBegin\nMakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n" + interfaces);
+    if (!result) return to_string(result.error());
+    std::string text;
+    for (const std::string& warning : result->warnings) text += warning + "\n";
+    return text;
+  };
+  const std::string in_fog = "MediumInterface \"\" \"fog\" Material \"dielectric\"\n" + kTriangle;
+  EXPECT_NE(warnings(in_fog).find("inside of none"), std::string::npos);
+  EXPECT_EQ(warnings(in_fog + "MediumInterface \"fog\" \"\" Material \"interface\"\n" + kTriangle),
+            "");
+}
+
 TEST_F(Pbrt, MaterialsBecomeLayered) {
   const LayeredMaterial diffuse = material("Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]\n");
   EXPECT_EQ(diffuse.base_colour, Vec3f(.1f, .2f, .3f));

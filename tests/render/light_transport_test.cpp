@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/light_path.h"
 #include "tests/render/lit_scenes.h"
 
 namespace dapple::test {
@@ -197,6 +198,68 @@ TEST(LightTransport, BeerLambertThroughASlab) {
   const Vec3f near = render_lit(thin).image.at(8, 8);
   EXPECT_NEAR(near.x, 0.5, 0.01);  // the chord is a little shorter off the centre
   EXPECT_NEAR(near.y, 0.25, 0.01);
+}
+
+// A ball that takes `colour` of the light on each unit of length, of the index of its surroundings.
+void add_clear_ball(Scene& scene, double z, double radius, const Vec3f& colour) {
+  LayeredMaterial clear;
+  clear.transmission = 1;
+  clear.roughness = 0;
+  clear.ior = 1;
+  clear.thickness = 1;
+  clear.attenuation_distance = 1;
+  clear.attenuation_colour = colour;
+  scene.add_sphere({{0, 0, z}, radius}, add_layered(scene, clear));
+}
+
+Vec3d mean_colour(const Image& image) {
+  Vec3d sum;
+  for (const Vec3f& pixel : image.pixels) sum = sum + Vec3d(pixel);
+  return sum / static_cast<double>(image.pixels.size());
+}
+
+// One in another: each part of the way counts with what fills the innermost ball there.
+TEST(LightTransport, BeerLambertThroughNestedBodies) {
+  Scene scene = empty_lit_scene(0.01, 20);
+  scene.environment.kind = EnvironmentKind::constant;
+  add_clear_ball(scene, 0, 3, {0.9f, 0.5f, 1});
+  add_clear_ball(scene, 0, 2, {0.8f, 1, 0.7f});
+  add_clear_ball(scene, 0.5, 0.5, {1, 1, 1});  // a bubble
+  LitPicture picture;
+  picture.samples =
+      512;  // by the last of six surfaces Russian roulette has ended half of the paths
+  const Vec3d mean = mean_colour(render_lit(scene, picture).image);
+  EXPECT_NEAR(mean.x, std::pow(0.9, 2) * std::pow(0.8, 3), 3e-3);
+  EXPECT_NEAR(mean.y, std::pow(0.5, 2), 3e-3);
+  EXPECT_NEAR(mean.z, std::pow(0.7, 3), 3e-3);
+}
+
+// Where two overlap, the one that was entered later fills the space; leaving the first one, within
+// the second, changes nothing.
+TEST(LightTransport, BeerLambertThroughOverlappingBodies) {
+  Scene scene = empty_lit_scene(0.01, 20);
+  scene.environment.kind = EnvironmentKind::constant;
+  add_clear_ball(scene, 1, 2, {0.9f, 1, 1});   // from z = 3 to -1
+  add_clear_ball(scene, -1, 2, {1, 0.8f, 1});  // from z = 1 to -3
+  const Vec3f pixel = render_lit(scene).image.at(8, 8);
+  EXPECT_NEAR(pixel.x, std::pow(0.9, 2), 1e-3);
+  EXPECT_NEAR(pixel.y, std::pow(0.8, 4), 1e-3);
+}
+
+TEST(LightTransport, InsidesAreLeftInAnyOrderAndForgetTheOutermost) {
+  const auto id = [](std::uint32_t i) { return static_cast<MaterialId>(i); };
+  Insides insides;
+  insides.leave(id(7));
+  EXPECT_EQ(insides.innermost(), kVacuum);
+  for (std::uint32_t i = 1; i <= 5; ++i) insides.enter(id(i));
+  insides.leave(id(4));
+  insides.leave(id(1));  // forgotten
+  EXPECT_EQ(insides.innermost(), id(5));
+  insides.leave(id(5));
+  EXPECT_EQ(insides.innermost(), id(3));
+  insides.leave(id(3));
+  insides.leave(id(2));
+  EXPECT_EQ(insides.innermost(), kVacuum);
 }
 
 TEST(LightTransport, TheClampReportsWhatItTook) {

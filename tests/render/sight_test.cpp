@@ -29,6 +29,13 @@ TEST(Sight, ShapesAreSeenInThePictureOnly) {
   EXPECT_FALSE(sees(sphere_at({0, 0, 20}, 1), 64));  // behind the camera
 }
 
+TEST(Sight, WhereTheCameraIsFocusedDoesNotMatter) {
+  Scene scene = sphere_at({0, 0, 0}, 1);
+  scene.camera.orthographic_height = 0;
+  scene.camera.focus_distance = 1e6;
+  EXPECT_TRUE(sees(scene, 64));
+}
+
 TEST(Sight, AShapeAsLargeAsAPixelIsFound) {
   const double pixel = 4.0 / 256;
   EXPECT_TRUE(sees(sphere_at({1.2345, -0.777, 0}, pixel), 256));

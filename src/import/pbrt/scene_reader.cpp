@@ -288,6 +288,7 @@ Status SceneReader::object_instance(Lexer& lexer, const std::string& place) {
 }
 
 void SceneReader::finish() {
+  world_.finish();
   if (camera_) {
     context_.import.builder().add_camera(
         "camera", make_camera(context_, camera_->camera_from_world, camera_->kind, camera_->params,

@@ -68,10 +68,8 @@ MaterialId World::material_of(const GraphicsState& state, const Params& params) 
       fill_with(found->second, material);
     }
   }
-  if (!state.outside.empty()) {
-    context_.warn(params.place(), fmt::format("the medium '{:.60}' outside of surfaces is not used",
-                                              state.outside));
-  }
+  filling_.insert(state.inside);
+  if (!state.outside.empty()) surrounding_.try_emplace(state.outside, params.place());
   return context_.import.builder().add_material(material);
 }
 
@@ -115,6 +113,16 @@ Status World::add_mesh(const Transformd& to_scene, bool reversed, MaterialId mat
                                                        kMaxVertexBytes, "vertices");
   if (taken) append(mesh, *object_);
   return taken;
+}
+
+void World::finish() {
+  for (const auto& [medium, place] : surrounding_) {
+    if (filling_.contains(medium)) continue;
+    context_.warn(place,
+                  fmt::format("the medium '{:.60}' is outside of surfaces and inside of none: "
+                              "it is not used",
+                              medium));
+  }
 }
 
 Status World::begin_object(const std::string& name, const std::string& place) {

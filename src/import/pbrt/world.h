@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "import/pbrt/context.h"
@@ -25,6 +26,9 @@ class World {
   [[nodiscard]] Status add_instance(const GraphicsState& state, const std::string& name,
                                     const std::string& place);
 
+  // Warns of media that fill nothing.
+  void finish();
+
  private:
   [[nodiscard]] MaterialId material_of(const GraphicsState& state, const Params& params);
   [[nodiscard]] Status add_sphere(const GraphicsState& state, double radius, MaterialId material);
@@ -34,8 +38,10 @@ class World {
   Context& context_;
   Shapes shapes_;
   std::map<std::string, Medium> media_;
-  std::map<std::string, std::uint32_t> objects_;  // the number of their prototype
-  std::optional<MeshData> object_;                // the one that is being described
+  std::set<std::string> filling_;                   // media that are inside of something
+  std::map<std::string, std::string> surrounding_;  // and outside, with the first place
+  std::map<std::string, std::uint32_t> objects_;    // the number of their prototype
+  std::optional<MeshData> object_;                  // the one that is being described
   std::string object_name_;
 };
 
