@@ -12,7 +12,7 @@ namespace {
 
 Vec3d unit_or_zero(const Vec3d& v) {
   const double norm = length(v);
-  return norm > 0 ? v / norm : Vec3d();
+  return norm > 0 && std::isfinite(norm) ? v / norm : Vec3d();
 }
 
 Vec3d without_component(const Vec3d& v, const Vec3d& n) { return unit_or_zero(v - dot(n, v) * n); }

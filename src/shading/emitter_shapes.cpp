@@ -84,64 +84,21 @@ MaterialId EmitterShapes::material(const EmitterId& emitter) const {
   return scene_.rectangle_materials[kind][emitter.index];
 }
 
-EmitterShapes::Corners EmitterShapes::triangle_corners(const EmitterId& emitter) const {
-  const Triangle& triangle = scene_.triangles[emitter.index];
-  std::array<Vec3f, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = scene_.vertices.positions[triangle.vertices[i]];
-    if (emitter.instance != kNoInstance) {
-      p[i] = scene_.instances[emitter.instance].to_world.point(p[i]);
-    }
-  }
-  return {p[0], p[1] - p[0], p[2] - p[0]};
-}
-
-EmitterShapes::Corners EmitterShapes::rectangle_corners(const EmitterId& emitter) const {
-  const auto index =
-      static_cast<std::size_t>(emitter.kind) - static_cast<std::size_t>(EmitterKind::xy_rectangle);
-  const Rectangle& r = scene_.rectangles[index][emitter.index];
-  const RectangleAxes axes = rectangle_axes(rectangle_kind(index));
-  Corners c;
-  c.origin[axes.u] = static_cast<float>(r.u0);
-  c.origin[axes.v] = static_cast<float>(r.v0);
-  c.origin[axes.k] = static_cast<float>(r.k);
-  c.edge1[axes.u] = static_cast<float>(r.u1 - r.u0);
-  c.edge2[axes.v] = static_cast<float>(r.v1 - r.v0);
-  return c;
-}
-
-void EmitterShapes::set_triangle_uvs(const EmitterId& emitter, float b1, float b2,
-                                     SurfaceInteraction& at) const {
-  const auto& v = scene_.triangles[emitter.index].vertices;
-  for (std::size_t set = 0; set < kUvSetCount; ++set) {
-    const auto& uvs = scene_.vertices.uvs[set];
-    if (uvs.empty()) continue;
-    at.uvs[set] = (1.0f - b1 - b2) * uvs[v[0]] + b1 * uvs[v[1]] + b2 * uvs[v[2]];
-  }
-}
-
 // Uniform over the shape's area.
 SurfaceInteraction EmitterShapes::point_of(const EmitterId& emitter, Vec2f u) const {
-  SurfaceInteraction at;
   if (emitter.kind == EmitterKind::triangle) {
-    const Corners c = triangle_corners(emitter);
     const float root = std::sqrt(u.x);
-    const float b1 = 1.0f - root, b2 = u.y * root;
-    at.position = c.origin + b1 * c.edge1 + b2 * c.edge2;
-    at.geometric_normal = cross(c.edge1, c.edge2);
-    set_triangle_uvs(emitter, b1, b2, at);
-  } else if (emitter.kind == EmitterKind::sphere) {
+    return flat_point(emitter, triangle_corners(emitter), {1.0f - root, u.y * root});
+  }
+  if (is_rectangle(emitter.kind)) return flat_point(emitter, rectangle_corners(emitter), u);
+  SurfaceInteraction at;
+  if (emitter.kind == EmitterKind::sphere) {
     const Ball ball = ball_of(scene_.spheres[emitter.index]);
     at.geometric_normal = sample_uniform_sphere(u.x, u.y);
     at.position = ball.centre + ball.radius * at.geometric_normal;
     set_sphere_uvs(at);
-  } else if (emitter.kind == EmitterKind::cylinder) {
-    set_rod_point(rod_of(scene_.cylinders[emitter.index]), u, at);
   } else {
-    const Corners c = rectangle_corners(emitter);
-    at.position = c.origin + u.x * c.edge1 + u.y * c.edge2;
-    at.geometric_normal = cross(c.edge1, c.edge2);
-    at.uvs[0] = at.uvs[1] = {u.x, 1.0f - u.y};
+    set_rod_point(rod_of(scene_.cylinders[emitter.index]), u, at);
   }
   const float squared = dot(at.geometric_normal, at.geometric_normal);
   if (squared > 0.0f) at.geometric_normal = at.geometric_normal / std::sqrt(squared);
@@ -171,13 +128,16 @@ std::optional<EmitterPoint> EmitterShapes::sample(const EmitterId& emitter, cons
     if (auto found = sample_sphere(emitter, position, u)) return found;
   }
   EmitterPoint result;
-  result.surface = point_of(emitter, u);
+  const bool seen = sample_seen(emitter, position, u, result);
+  if (!seen) result.surface = point_of(emitter, u);
   const Vec3f to_light = result.surface.position - position;
   const float squared = dot(to_light, to_light);
   if (!(squared > 0.0f)) return std::nullopt;
   result.distance = std::sqrt(squared);
   result.wi = to_light / result.distance;
-  result.pdf = pdf(emitter, position, result.wi, result.distance, result.surface.geometric_normal);
+  if (!seen) {
+    result.pdf = area_pdf(emitter, result.wi, result.distance, result.surface.geometric_normal);
+  }
   if (!(result.pdf > 0.0f)) return std::nullopt;
   return result;
 }
@@ -219,6 +179,12 @@ float EmitterShapes::pdf(const EmitterId& emitter, const Vec3f& position, const 
       return 1.0f / (2.0f * kPi * one_minus_cosine(ball.radius * ball.radius / distance2));
     }
   }
+  const float seen = solid_angle(emitter, position);
+  return seen > 0.0f ? 1.0f / seen : area_pdf(emitter, wi, distance, normal);
+}
+
+float EmitterShapes::area_pdf(const EmitterId& emitter, const Vec3f& wi, float distance,
+                              const Vec3f& normal) const {
   const float projected = std::fabs(dot(wi, normal)) * area(emitter);
   return projected > 1e-30f ? distance * distance / projected : 0.0f;
 }

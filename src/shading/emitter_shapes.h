@@ -22,6 +22,10 @@ enum class EmitterKind : std::uint32_t {
   yz_rectangle,
   cylinder
 };
+constexpr bool is_rectangle(EmitterKind kind) {
+  return kind == EmitterKind::xy_rectangle || kind == EmitterKind::xz_rectangle ||
+         kind == EmitterKind::yz_rectangle;
+}
 inline constexpr std::size_t kEmitterKindCount = 6;
 inline constexpr std::uint32_t kNoInstance = 0xffffffffu;
 struct EmitterId {
@@ -44,7 +48,8 @@ class EmitterShapes {
 
   MaterialId material(const EmitterId& emitter) const;
 
-  // Spheres are sampled by the cone they fill, all else by area.
+  // Spheres are sampled by the cone they fill, near triangles and rectangles by the solid angle,
+  // all else by area.
   std::optional<EmitterPoint> sample(const EmitterId& emitter, const Vec3f& position,
                                      Vec2f u) const;
   // Density with which sample(emitter, position, u) finds the point `distance` along `wi`, where
@@ -64,6 +69,13 @@ class EmitterShapes {
   Corners triangle_corners(const EmitterId& emitter) const;
   Corners rectangle_corners(const EmitterId& emitter) const;
   void set_triangle_uvs(const EmitterId& emitter, float b1, float b2, SurfaceInteraction& at) const;
+  SurfaceInteraction flat_point(const EmitterId& emitter, const Corners& c, Vec2f along) const;
+  bool sample_seen(const EmitterId& emitter, const Vec3f& position, Vec2f u,
+                   EmitterPoint& result) const;
+  // 0 where points are chosen by area.
+  float solid_angle(const EmitterId& emitter, const Vec3f& position) const;
+  float area_pdf(const EmitterId& emitter, const Vec3f& wi, float distance,
+                 const Vec3f& normal) const;
   SurfaceInteraction point_of(const EmitterId& emitter, Vec2f u) const;
   std::optional<EmitterPoint> sample_sphere(const EmitterId& emitter, const Vec3f& position,
                                             Vec2f u) const;

@@ -10,6 +10,7 @@
 
 #include "import/assimp/meshes.h"
 #include "math/functions.h"
+#include "scene/validate.h"
 
 namespace dapple::assimp {
 namespace {
@@ -124,6 +125,11 @@ class NodeWalker {
       for (int j = 0; j < 4; ++j) {
         single_transform.rows[i][j] = static_cast<float>(to_world.rows[i][j]);
       }
+    }
+    if (!is_valid(single_transform)) {
+      import_.log().warn(fmt::format(
+          "{}: an instance is left out: its transformation is flat or too large", import_.path()));
+      return {};
     }
     return import_.builder().add_instance(*prototypes_[index], single_transform);
   }

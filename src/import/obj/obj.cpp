@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "image/transfer.h"
 #include "import/default_material.h"
@@ -75,6 +76,7 @@ class ObjImport {
 
   // The shapes are there without their materials: a library that is missing is only a warning.
   Status read_library(const std::string& name) {
+    if (!read_.insert(name).second) return {};
     const auto file = import_.open_companion(name);
     if (!file) {
       import_.log().warn(to_string(file.error()));
@@ -163,6 +165,7 @@ class ObjImport {
 
   ModelImport& import_;
   Geometry geometry_;
+  std::set<std::string> read_;  // libraries
   std::map<std::string, LibraryEntry> library_;
   std::vector<MaterialId> materials_;
   MaterialId default_{};

@@ -63,7 +63,11 @@ Expected<SurfaceTexture> image_map(const Context& context, const Params& params)
   const Filter filter =
       params.text("filter", "bilinear") == "point" ? Filter::nearest : Filter::linear;
   const Texture settings{kNoImage, wrap, wrap, filter};
-  const bool linear = params.text("encoding", "sRGB") == "linear";
+  const std::string encoding = params.text("encoding", "sRGB");
+  const bool linear = encoding == "linear";
+  if (!linear && encoding != "sRGB") {
+    context.warn(params.place(), fmt::format("the encoding '{:.40}' is taken for sRGB", encoding));
+  }
   const auto id = linear ? context.import.texture(context.import.picture(name).map(linear_picture),
                                                   params.place(), settings)
                          : context.import.texture(name, params.place(), settings);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ranges>
 
 #include "import/default_material.h"
 #include "import/vertex_arrays.h"
@@ -38,7 +37,8 @@ bool is_invisible(const GraphicsState& state) {
 void append(const MeshData& from, MeshData& to) {
   const auto first = static_cast<std::uint32_t>(to.vertices.positions.size());
   append_vertices(from.vertices, to.vertices);
-  for (const auto& [a, b, c] : from.triangles | std::views::transform(&Triangle::vertices)) {
+  for (const Triangle& triangle : from.triangles) {
+    const auto& [a, b, c] = triangle.vertices;
     to.triangles.push_back({{first + a, first + b, first + c}});
   }
   to.materials.insert(to.materials.end(), from.materials.begin(), from.materials.end());
