@@ -1,8 +1,10 @@
 #include "shading/albedo_integrals.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/warps.h"
+#include "shading/albedo_tables.h"
 #include "shading/fresnel.h"
 #include "shading/microfacet.h"
 #include "shading/refraction.h"
@@ -32,15 +34,7 @@ double seen(const MicrofacetDistribution& facets, const Vec3f& wo, const Vec3f& 
   return near / (near + facets.lambda(wi));
 }
 
-}  // namespace
-
-SplitAlbedo integrate_reflection(float cosine, float roughness, int grid) {
-  const float alpha = roughness * roughness;
-  if (alpha < MicrofacetDistribution::kMirrorAlpha) {
-    return {1.0 - schlick_weight(cosine), schlick_weight(cosine)};
-  }
-  const MicrofacetDistribution facets{alpha, alpha};
-  const Vec3f wo = view(cosine);
+SplitAlbedo reflection(const MicrofacetDistribution& facets, const Vec3f& wo, int grid) {
   const Vec3d sum = sum_over_square(grid, [&](Vec2f u) {
     const Vec3f h = facets.sample(wo, u);
     const Vec3f wi = 2.0f * dot(wo, h) * h - wo;
@@ -51,6 +45,25 @@ SplitAlbedo integrate_reflection(float cosine, float roughness, int grid) {
   });
   const double n = static_cast<double>(grid) * grid;
   return {sum.x / n, sum.y / n};
+}
+
+}  // namespace
+
+SplitAlbedo integrate_reflection(float cosine, float roughness, int grid) {
+  const float alpha = roughness * roughness;
+  if (alpha < MicrofacetDistribution::kMirrorAlpha) {
+    return {1.0 - schlick_weight(cosine), schlick_weight(cosine)};
+  }
+  return reflection({alpha, alpha}, view(cosine), grid);
+}
+
+SplitAlbedo integrate_brushed(float cosine, float azimuth, float along, float across, int grid) {
+  const MicrofacetDistribution facets{std::max(along * along, kLeastBrushedAlpha),
+                                      std::max(across * across, kLeastBrushedAlpha)};
+  const float sine = view(cosine).x;
+  return reflection(facets,
+                    {sine * azimuth, sine * std::sqrt((1.0f - azimuth) * (1.0f + azimuth)), cosine},
+                    grid);
 }
 
 double integrate_refraction(float cosine, float roughness, float eta, int grid) {

@@ -15,6 +15,11 @@ struct SplitAlbedo {
 };
 [[nodiscard]] SplitAlbedo integrate_reflection(float cosine, float roughness, int grid);
 
+// Of an interface as rough as `along` in one direction and `across` at right angles to it;
+// `azimuth` is the cosine between the first and the view, seen from above.
+[[nodiscard]] SplitAlbedo integrate_brushed(float cosine, float azimuth, float along, float across,
+                                            int grid);
+
 // Of a rough refracting interface, reflection and transmission together: what single scattering
 // leaves of 1.
 [[nodiscard]] double integrate_refraction(float cosine, float roughness, float eta, int grid);

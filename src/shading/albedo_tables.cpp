@@ -38,11 +38,34 @@ ReflectionAlbedo reflection_albedo(float cosine, float roughness) {
           bilinear(kReflectionBiasData, kAlbedoCosines, row, column)};
 }
 
+ReflectionAlbedo brushed_albedo(const Vec3f& wo, float alpha_x, float alpha_y) {
+  const bool along_x = alpha_x > alpha_y;
+  const float wide = std::sqrt(along_x ? alpha_x : alpha_y);
+  const float narrow = std::sqrt(along_x ? alpha_y : alpha_x);
+  const float level = std::sqrt(wo.x * wo.x + wo.y * wo.y);
+  const Place across = place(narrow, kBrushedNodes);
+  const Place spread = place(narrow < 1.0f ? (wide - narrow) / (1.0f - narrow) : 0, kBrushedNodes);
+  const Place azimuth =
+      place(level > 0.0f ? std::fabs(along_x ? wo.x : wo.y) / level : 1, kBrushedNodes);
+  const Place column = place(root_of_cosine(wo.z), kBrushedCosines);
+  ReflectionAlbedo sum{0, 0};
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const std::size_t i = corner & 1, j = corner >> 1;
+    const std::size_t sheet =
+        ((across.index + i) * kBrushedNodes + spread.index + j) * (kBrushedNodes * kBrushedCosines);
+    const float weight =
+        (i == 1 ? across.t : 1.0f - across.t) * (j == 1 ? spread.t : 1.0f - spread.t);
+    sum.scale += weight * bilinear(kBrushedScaleData + sheet, kBrushedCosines, azimuth, column);
+    sum.bias += weight * bilinear(kBrushedBiasData + sheet, kBrushedCosines, azimuth, column);
+  }
+  return sum;
+}
+
 float refraction_albedo(float cosine, float roughness, float eta) {
   const Place row = place(roughness, kRefractionRoughnesses);
   const Place column = place(root_of_cosine(cosine), kRefractionCosines);
   constexpr float kScale = (kLargestEta + 1) / (kLargestEta - 1);
-  const Place sheet = place(kScale * std::fabs(eta - 1.0f) / (eta + 1.0f),
+  const Place sheet = place(std::sqrt(kScale * std::fabs(eta - 1.0f) / (eta + 1.0f)),
                             eta > 1.0f ? kRefractionInEtas : kRefractionOutEtas);
   const std::uint16_t* data = eta > 1.0f ? kRefractionInData : kRefractionOutData;
   constexpr std::size_t kSheet = kRefractionRoughnesses * kRefractionCosines;

@@ -100,7 +100,9 @@ void BsdfBuilder::add_reflection(const Vec3f& f0, const Vec3f& f90, float weight
 
 BsdfBuilder::Interface BsdfBuilder::add_interface(const LayeredPoint& point, float below_layers) {
   const float cosine = bsdf_.wo_.z;
-  facets_ = reflection_albedo(cosine, roughness_);
+  facets_ = bsdf_.alpha_x_ == bsdf_.alpha_y_
+                ? reflection_albedo(cosine, roughness_)
+                : brushed_albedo(bsdf_.wo_, bsdf_.alpha_x_, bsdf_.alpha_y_);
   Interface result{facets_.total(), {}, 1};
   if (point.metallic > 0.0f) {
     const Vec3f f0 = with_film(point.base_colour, point, cosine);
@@ -145,7 +147,9 @@ Bsdf BsdfBuilder::layered(const LayeredPoint& point, DispersionChannel dispersio
   if (point.anisotropy > 0.0f) {
     const float along = mix(alpha, 1.0f, point.anisotropy * point.anisotropy);
     set_width(along, std::max(alpha, 1e-3f));
-    roughness_ = std::sqrt(std::sqrt(bsdf_.alpha_x_ * bsdf_.alpha_y_));
+    // Refraction has no table for uneven widths; their quadratic mean comes nearest.
+    roughness_ = std::sqrt(
+        std::sqrt(0.5f * (bsdf_.alpha_x_ * bsdf_.alpha_x_ + bsdf_.alpha_y_ * bsdf_.alpha_y_)));
   }
 
   // What lies on top is on the outer side of a solid.

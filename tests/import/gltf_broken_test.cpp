@@ -61,6 +61,20 @@ std::string triangle(const std::vector<float>& positions,
       p, i));
 }
 
+TEST(BrokenGltf, AttributesHaveTheirTypes) {
+  for (const char* name : {"NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0", "WEIGHTS_0"}) {
+    GltfText file;
+    const auto p = file.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const auto scalars = file.values(std::vector<float>{7, 7, 7}, "SCALAR", 1, 5126);
+    const auto joints = file.values(std::vector<std::uint8_t>(12, 0), "VEC4", 4, 5121);
+    EXPECT_ERROR(
+        file.text(fmt::format(
+            R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":{},"JOINTS_0":{},"{}":{}}}}}]}}],"nodes":[{{"mesh":0}}],"scenes":[{{"nodes":[0]}}])",
+            p, joints, name, scalars)),
+        std::string("attributes/") + name);
+  }
+}
+
 TEST(BrokenGltf, IndicesStayWithinTheVertices) {
   EXPECT_ERROR(triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 3}),
                "/meshes/0/primitives/0/indices: 1 of its 3 indices are beyond the 3 vertices");

@@ -44,11 +44,19 @@ TEST(AlbedoTables, HoldTheIntegrals) {
       const ReflectionAlbedo table = reflection_albedo(cosine, roughness);
       EXPECT_NEAR(table.scale, exact.scale, 0.01);
       EXPECT_NEAR(table.bias, exact.bias, 0.01);
-      for (const float eta : {1.2f, 1.5f, 2.0f}) {
+      for (const float eta : {1.005f, 1.03f, 1.1f, 1.2f, 1.5f, 2.0f}) {
         EXPECT_NEAR(refraction_albedo(cosine, roughness, eta),
-                    integrate_refraction(cosine, roughness, eta, 64), 0.015);
+                    integrate_refraction(cosine, roughness, eta, 64), 0.02);
         EXPECT_NEAR(refraction_albedo(cosine, roughness, 1 / eta),
-                    integrate_refraction(cosine, roughness, 1 / eta, 64), 0.015);
+                    integrate_refraction(cosine, roughness, 1 / eta, 64), 0.02);
+      }
+      for (const float azimuth : {0.2f, 0.8f}) {
+        const float sine = std::sqrt(1 - cosine * cosine), narrow = roughness * roughness;
+        const Vec3f wo(sine * azimuth, sine * std::sqrt(1 - azimuth * azimuth), cosine);
+        const SplitAlbedo uneven = integrate_brushed(cosine, azimuth, 0.95f, roughness, 64);
+        const ReflectionAlbedo found = brushed_albedo(wo, 0.95f * 0.95f, narrow);
+        EXPECT_NEAR(found.scale, uneven.scale, 0.02);
+        EXPECT_NEAR(found.bias, uneven.bias, 0.02);
       }
       EXPECT_NEAR(sheen_albedo(cosine, roughness), integrate_sheen(cosine, roughness, 128), 0.02);
     }

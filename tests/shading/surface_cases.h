@@ -16,6 +16,8 @@ struct SurfaceCase {
   LayeredPoint point;  // white, so that it gives back all light
   bool from_outside = true;
   double energy_tolerance = 0.01;
+  double grazing_tolerance = 0.01;  // of the same, at a cosine below 0.1
+  bool is_narrow = false;           // the density has peaks between the points of a grid
 };
 
 inline LayeredPoint white_point(float roughness) {
@@ -51,6 +53,40 @@ inline std::vector<SurfaceCase> surface_cases(float roughness) {
   add("dense glass from outside",
       [&](LayeredPoint& p) { glass(p), p.ior = 2.4f, p.dielectric_f0 = grey(f0_of_ior(p.ior)); });
   add("half glass", [&](LayeredPoint& p) { glass(p), p.transmission = 0.5f; });
+  // Near an index of 1 light hardly leaves its way: a lobe too narrow to be integrated on a grid.
+  for (const float ior : {1.005f, 1.02f, 1.1f}) {
+    const auto watery = [&, ior](LayeredPoint& p) {
+      glass(p), p.ior = ior, p.dielectric_f0 = grey(f0_of_ior(ior));
+    };
+    for (const bool outside : {true, false}) {
+      add("watery glass", watery, outside);
+      cases.back().energy_tolerance = cases.back().grazing_tolerance = 0.025;
+      cases.back().is_narrow = true;
+    }
+  }
+  const auto brushed = [](float strength, float turns) {
+    return [=](LayeredPoint& p) {
+      const SinCos<float> along = sin_cos_turns(turns);
+      p.anisotropy = strength, p.anisotropy_direction = {along.cos, along.sin};
+    };
+  };
+  // Tables of two roughnesses and an azimuth are coarse, worst at grazing angles.
+  const auto add_brushed = [&](const char* name, auto change, double tolerance, double grazing) {
+    add(name, change);
+    cases.back().energy_tolerance = tolerance;
+    cases.back().grazing_tolerance = grazing;
+    cases.back().is_narrow = roughness < 0.3f;
+  };
+  for (const float strength : {0.4f, 1.0f}) {
+    for (const float turns : {0.1f, 0.35f}) {  // along the view, across
+      const auto brush = brushed(strength, turns);
+      const auto metal = [&](LayeredPoint& p) { brush(p), p.metallic = 1; };
+      add_brushed("brushed metal", metal, 0.02, 0.06);
+      add_brushed("brushed dielectric", brush, 0.02, 0.06);
+    }
+  }
+  const auto brushed_glass = [&](LayeredPoint& p) { brushed(0.4f, 0.2f)(p), glass(p); };
+  add_brushed("brushed glass", brushed_glass, 0.1, 0.1);
   add("leaf", [](LayeredPoint& p) { p.diffuse_transmission = 0.6f; });
   add("everything", [&](LayeredPoint& p) {
     glass(p);

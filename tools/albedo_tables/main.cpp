@@ -1,5 +1,5 @@
 // Writes the C++ source of the tables that shading/albedo_tables.h declares into a folder:
-// albedo_data_reflection.cpp, _refraction_in.cpp, _refraction_out.cpp and _sheen.cpp.
+// albedo_data_brushed.cpp, _reflection.cpp, _refraction_in.cpp, _refraction_out.cpp and _sheen.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,13 +55,36 @@ std::vector<unsigned> refraction(bool out) {
   std::vector<unsigned> values;
   const std::size_t etas = out ? kRefractionOutEtas : kRefractionInEtas;
   for (std::size_t i = 0; i < etas; ++i) {
-    const float s = node(i, etas) * (kLargestEta - 1) / (kLargestEta + 1);
+    const float s = node(i, etas) * node(i, etas) * (kLargestEta - 1) / (kLargestEta + 1);
     const float eta = (1 + s) / (1 - s);
     append(values, kRefractionRoughnesses, kRefractionCosines, [&](float c, float r) {
       return integrate_refraction(c, r, out ? 1 / eta : eta, kGrid / 2);
     });
   }
   return values;
+}
+
+std::vector<SplitAlbedo> brushed() {
+  constexpr std::size_t n = kBrushedNodes;
+  std::vector<SplitAlbedo> values;
+  for (std::size_t i = 0; i < n * n * n; ++i) {
+    const float across = node(i / (n * n), n);
+    const float along = across + node(i / n % n, n) * (1 - across);
+    for (std::size_t c = 0; c < kBrushedCosines; ++c) {
+      values.push_back(integrate_brushed(cosine_node(c, kBrushedCosines), node(i % n, n), along,
+                                         across, kGrid / 2));
+    }
+  }
+  return values;
+}
+
+std::vector<unsigned> fractions(const std::vector<SplitAlbedo>& albedos,
+                                double SplitAlbedo::*which) {
+  std::vector<unsigned> out;
+  for (const SplitAlbedo& albedo : albedos) {
+    out.push_back(static_cast<unsigned>(std::clamp(albedo.*which, 0.0, 1.0) * 65535 + 0.5));
+  }
+  return out;
 }
 
 }  // namespace
@@ -79,6 +102,10 @@ int main(int argc, char** argv) {
   write(folder + "/albedo_data_reflection.cpp",
         definition("kReflectionScaleData", "kAlbedoRoughnesses * kAlbedoCosines", scale) +
             definition("kReflectionBiasData", "kAlbedoRoughnesses * kAlbedoCosines", bias));
+  const std::vector<SplitAlbedo> uneven = brushed();
+  write(folder + "/albedo_data_brushed.cpp",
+        definition("kBrushedScaleData", "kBrushedSize", fractions(uneven, &SplitAlbedo::scale)) +
+            definition("kBrushedBiasData", "kBrushedSize", fractions(uneven, &SplitAlbedo::bias)));
   write(folder + "/albedo_data_sheen.cpp",
         definition("kSheenData", "kSheenRoughnesses * kSheenCosines", sheen));
   write(folder + "/albedo_data_refraction_in.cpp",

@@ -150,14 +150,14 @@ Status read_attributes(AttributeSource& source, Primitive& primitive) {
     const Vec3f t = unit(vec3(from));
     return Vec4f{t.x, t.y, t.z, from[3] < 0 ? -1.0f : 1.0f};
   };
-  doubt_attributes(source, primitive);
   return read("POSITION", 3, 3, v.positions, position)
       .and_then([&] { return read("NORMAL", 3, 3, v.normals, unit_normal); })
       .and_then([&] { return read("TANGENT", 4, 4, v.tangents, unit_tangent); })
       .and_then([&] { return read("TEXCOORD_0", 2, 2, v.uvs[0], vec2); })
       .and_then([&] { return read("TEXCOORD_1", 2, 2, v.uvs[1], vec2); })
       .and_then([&] { return read_into(source, "COLOR_0", count, 3, 4, v.colours, colour); })
-      .and_then([&] { return read_influences(source, count, primitive.influences); });
+      .and_then([&] { return read_influences(source, count, primitive.influences); })
+      .map([&] { doubt_attributes(source, primitive); });  // their types are proven by now
 }
 
 Expected<MorphTarget> read_target(AttributeSource& source, std::size_t count) {
