@@ -41,6 +41,13 @@ std::array<char, 64> camera_name(std::string_view name) {
   return text;
 }
 
+// Angles of many turns have few digits left, and fast functions none.
+float within_a_turn(float radians) {
+  constexpr double kTurn = 6.283185307179586;
+  if (!(std::fabs(radians) > kTurn) || !std::isfinite(radians)) return radians;
+  return static_cast<float>(radians - kTurn * std::floor(radians / kTurn));
+}
+
 TexelFormat texel_format(RawFormat format) {
   switch (format) {
     case RawFormat::rgba8:
@@ -56,7 +63,9 @@ RawImage magenta_picture() { return {1, 1, RawFormat::rgba8, {255, 0, 255, 255}}
 
 }  // namespace
 
-MaterialId SceneBuilder::add_material(const LayeredMaterial& material) {
+MaterialId SceneBuilder::add_material(const LayeredMaterial& given) {
+  LayeredMaterial material = given;
+  material.anisotropy_rotation = within_a_turn(given.anisotropy_rotation);
   const std::uint64_t hash = hash_of(material);
   for (auto [it, end] = material_of_hash_.equal_range(hash); it != end; ++it) {
     const auto index = std::get<Layered>(scene_.materials[index_of(it->second)]).index;

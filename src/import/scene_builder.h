@@ -25,7 +25,7 @@ class SceneBuilder {
 
   ByteBudget& budget() { return budget_; }
 
-  MaterialId add_material(const LayeredMaterial& material);
+  MaterialId add_material(const LayeredMaterial& given);
   // One of the classic three, stored however often it is added.
   MaterialId add_classic(const Material& material) { return scene_.add_material(material); }
   [[nodiscard]] Expected<ImageId> add_image(const RawImage& image);

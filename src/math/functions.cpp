@@ -30,8 +30,13 @@ T cos_series(T x, int last) {
   return sum;
 }
 
+// The part of a turn, where there are more turns than an integer can count with certainty; none of
+// what is not finite.
+double part_of_turn(double turns) { return std::isfinite(turns) ? turns - std::floor(turns) : 0; }
+
 template <class T>
 SinCos<T> by_quadrants(T turns, int terms) {
+  if (!(std::fabs(turns) <= T(1 << 20))) turns = part_of_turn(turns);
   const T quarter_turns = turns * T(4);
   const T nearest = std::floor(quarter_turns + T(0.5));
   const T angle = (quarter_turns - nearest) * T(1.57079632679489661923);

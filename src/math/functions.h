@@ -12,6 +12,8 @@ struct SinCos {
 };
 
 // Sine and cosine of 2 pi `turns`; error below 1e-7 (float) and 1e-15 (double) for |turns| <= 2^20.
+// Beyond that the double version is right as far as the turns themselves are exact, and takes what
+// is not finite for 0; the float version gives rubbish.
 [[nodiscard]] SinCos<float> sin_cos_turns(float turns);
 [[nodiscard]] SinCos<double> sin_cos_turns(double turns);
 

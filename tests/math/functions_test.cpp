@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace dapple {
 namespace {
@@ -20,6 +21,16 @@ TEST(Functions, SineAndCosineMatchTheMathematicalLibrary) {
     EXPECT_NEAR(single.sin, std::sin(2 * kPi * rounded), 1.2e-7);
     EXPECT_NEAR(single.cos, std::cos(2 * kPi * rounded), 1.2e-7);
   }
+}
+
+TEST(Functions, SineAndCosineOfAnyNumberOfTurnsAreOnTheCircle) {
+  constexpr double kHuge = 1e78, kInfinity = std::numeric_limits<double>::infinity();
+  for (const double turns : {kHuge, -kHuge, 3e18, 1e300, 2097152.25, kInfinity, -kInfinity,
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    const auto exact = sin_cos_turns(turns);
+    EXPECT_NEAR(exact.sin * exact.sin + exact.cos * exact.cos, 1, 1e-12) << turns;
+  }
+  EXPECT_NEAR(sin_cos_turns(2097152.25).sin, 1, 1e-12);
 }
 
 TEST(Functions, CubeRootMatchesTheMathematicalLibrary) {
