@@ -12,48 +12,6 @@ namespace {
 
 constexpr std::size_t kRecentAccessors = 12;
 
-enum ComponentType : std::uint64_t {
-  kByte = 5120,
-  kUnsignedByte = 5121,
-  kShort = 5122,
-  kUnsignedShort = 5123,
-  kUnsignedInt = 5125,
-  kFloat = 5126,
-};
-
-// How the elements of an accessor, or of its sparse part, lie in bytes.
-struct Layout {
-  std::uint64_t component_type = 0;
-  std::size_t components = 0;
-  std::size_t rows = 0;          // of a column; all of them for vectors
-  std::size_t column_bytes = 0;  // columns of matrices begin at multiples of four bytes
-  std::size_t element_bytes = 0;
-  std::size_t used_bytes = 0;  // without what fills up the last column
-  std::size_t stride = 0;
-  std::size_t offset = 0;
-  bool normalised = false;
-};
-
-std::size_t row_count(std::string_view type) {
-  return type.starts_with("MAT") ? static_cast<std::size_t>(type[3] - '0') : component_count(type);
-}
-
-Layout packed_layout(std::uint64_t component_type, std::string_view type) {
-  Layout layout;
-  layout.component_type = component_type;
-  layout.components = component_count(type);
-  if (layout.components == 0) return layout;
-  layout.rows = row_count(type);
-  layout.column_bytes = layout.rows * component_bytes(component_type);
-  const std::size_t columns = layout.components / layout.rows;
-  if (columns > 1) layout.column_bytes = (layout.column_bytes + 3) / 4 * 4;
-  layout.element_bytes = layout.column_bytes * columns;
-  layout.used_bytes =
-      layout.column_bytes * (columns - 1) + layout.rows * component_bytes(component_type);
-  layout.stride = layout.element_bytes;
-  return layout;
-}
-
 template <class Stored>
 Stored load(const std::byte* at) {
   Stored value;
@@ -216,36 +174,6 @@ void check_bounds(const Context& context, std::uint32_t index, const FloatElemen
 
 bool is_stored(const JsonValue& accessor) {
   return accessor.has("bufferView") || accessor.has("sparse");
-}
-
-std::size_t component_count(std::string_view type) {
-  constexpr std::pair<std::string_view, std::size_t> kTypes[] = {
-      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
-  for (const auto& [name, count] : kTypes) {
-    if (name == type) return count;
-  }
-  return 0;
-}
-
-std::size_t component_bytes(std::uint64_t component_type) {
-  switch (component_type) {
-    case kByte:
-    case kUnsignedByte:
-      return 1;
-    case kShort:
-    case kUnsignedShort:
-      return 2;
-    case kUnsignedInt:
-    case kFloat:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-ElementSize element_size(std::uint64_t component_type, std::string_view type) {
-  const Layout layout = packed_layout(component_type, type);
-  return {layout.element_bytes, layout.used_bytes};
 }
 
 template <class T>

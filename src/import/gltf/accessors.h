@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "import/gltf/accessor_layout.h"
 #include "import/gltf/buffers.h"
 
 namespace dapple::gltf {
@@ -25,18 +26,6 @@ using IntegerElements = Elements<std::uint32_t>;
 
 // False where nothing but zeros is meant, or what an extension puts in their place.
 bool is_stored(const JsonValue& accessor);
-// Number of components of "SCALAR", "VEC3", "MAT4" and so on; 0 if unknown.
-std::size_t component_count(std::string_view type);
-// Bytes of a component type by its OpenGL number; 0 if unknown.
-std::size_t component_bytes(std::uint64_t component_type);
-
-// Bytes from one packed element to the next, and of the last one; 0 if unknown.
-struct ElementSize {
-  std::size_t step = 0;
-  std::size_t last = 0;
-};
-ElementSize element_size(std::uint64_t component_type, std::string_view type);
-
 class Accessors {
  public:
   explicit Accessors(Buffers& buffers) : buffers_(buffers) {}
