@@ -128,7 +128,8 @@ void PathVertices::ask_light(std::uint32_t index, const LightPath& path, const S
   const BsdfValue value = bsdf.evaluate(light->wi);
   if (is_black(value.f)) return;
   const float weight = light->delta ? 1.0f : power_heuristic(light->pdf, value.pdf);
-  const Vec3f contribution = (weight / light->pdf) * (path.throughput * value.f * light->radiance);
+  const Vec3f contribution = (weight / light->pdf) * (path.throughput * value.f * light->radiance) *
+                             through_medium(surface, light->wi, light->distance, path);
   if (is_black(contribution)) return;
   ShadowRay shadow;
   shadow.ray = {leave_surface(surface, light->wi), 0, light->wi, kBeforeLight * light->distance};
@@ -136,6 +137,17 @@ void PathVertices::ask_light(std::uint32_t index, const LightPath& path, const S
   shadow.path = index;
   shadow.indirect = path.scatterings > 0;
   shadow_rays.push_back(shadow);
+}
+
+// What is left of light that comes along wi, by the medium on that side of the surface.
+Vec3f PathVertices::through_medium(const Surface& surface, const Vec3f& wi, float distance,
+                                   const LightPath& path) const {
+  const Vec3f& outward = surface.at.geometric_normal;
+  const bool transmitted = (dot(wi, outward) > 0) != surface.at.from_outside;
+  Insides insides = path.insides;
+  if (transmitted) pass_through(surface, wi, insides);
+  if (insides.innermost() == kVacuum) return {1, 1, 1};
+  return transmittance(lit_.materials().interior(insides.innermost()), distance);
 }
 
 bool PathVertices::scatter(const Surface& surface, const Bsdf& bsdf, float u_lobe, Vec2f u,
@@ -149,7 +161,7 @@ bool PathVertices::scatter(const Surface& surface, const Bsdf& bsdf, float u_lob
   path.pdf = sample->specular ? 0.0f : sample->pdf;
   path.cone_spread = std::max(path.cone_spread, kConePerRoughness * sample->roughness);
   path.dispersion.alone |= sample->one_channel;
-  if (sample->transmitted) change_medium(surface, *sample, path);
+  if (sample->transmitted) pass_through(surface, sample->wi, path.insides);
   ray.origin = leave_surface(surface, sample->wi);
   ray.direction = sample->wi;
   path.passed = false;
@@ -158,14 +170,12 @@ bool PathVertices::scatter(const Surface& surface, const Bsdf& bsdf, float u_lob
   return true;
 }
 
-void PathVertices::change_medium(const Surface& surface, const BsdfSample& sample,
-                                 LightPath& path) const {
+void PathVertices::pass_through(const Surface& surface, const Vec3f& wi, Insides& insides) const {
   if (!lit_.materials().has_interior(surface.material)) return;
-  const bool inwards = dot(sample.wi, surface.at.geometric_normal) < 0;
-  if (inwards) {
-    path.insides.enter(surface.material);
+  if (dot(wi, surface.at.geometric_normal) < 0) {
+    insides.enter(surface.material);
   } else {
-    path.insides.leave(surface.material);
+    insides.leave(surface.material);
   }
 }
 

@@ -44,7 +44,10 @@ class PathVertices {
                  std::vector<ShadowRay>& shadow_rays) const;
   bool scatter(const Surface& surface, const Bsdf& bsdf, float u_lobe, Vec2f u, LightPath& path,
                Ray& ray) const;
-  void change_medium(const Surface& surface, const BsdfSample& sample, LightPath& path) const;
+  Vec3f through_medium(const Surface& surface, const Vec3f& wi, float distance,
+                       const LightPath& path) const;
+  // To the side of the surface that wi points to.
+  void pass_through(const Surface& surface, const Vec3f& wi, Insides& insides) const;
   bool survives(float u, LightPath& path) const;
 
   const PreparedScene& scene_;

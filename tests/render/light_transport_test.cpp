@@ -246,6 +246,23 @@ TEST(LightTransport, BeerLambertThroughOverlappingBodies) {
   EXPECT_NEAR(pixel.y, std::pow(0.8, 4), 1e-3);
 }
 
+// A wall in the middle of a ball that absorbs, a lamp in there too: light loses on its way to the
+// wall and from there to the camera outside.
+TEST(LightTransport, LampsShineThroughTheMediumAroundASurface) {
+  Scene scene = empty_lit_scene(0.01, 20);
+  add_clear_ball(scene, 0, 5, {0.9f, 0.8f, 1});
+  add_wall(scene, add_diffuse(scene, 0.5f), 1);
+  scene.lights.push_back({.kind = LightKind::point,
+                          .position = {0, 0, 2},
+                          .intensity = {4 * M_PI, 4 * M_PI, 4 * M_PI}});
+  LitPicture picture;
+  picture.samples = 256;
+  const Vec3d mean = mean_colour(render_lit(scene, picture).image);
+  EXPECT_NEAR(mean.x, 0.5 * std::pow(0.9, 2 + 5), 2e-3);
+  EXPECT_NEAR(mean.y, 0.5 * std::pow(0.8, 2 + 5), 2e-3);
+  EXPECT_NEAR(mean.z, 0.5, 2e-3);
+}
+
 TEST(LightTransport, InsidesAreLeftInAnyOrderAndForgetTheOutermost) {
   const auto id = [](std::uint32_t i) { return static_cast<MaterialId>(i); };
   Insides insides;
