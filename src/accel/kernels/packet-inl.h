@@ -32,24 +32,26 @@ HWY_INLINE void visit_node(const PacketBounds& bounds, const WideNode& node,
   push_children(hits, node.children, pending);
 }
 
+template <class Packet>
 HWY_INLINE Hit hit_of(const Packet& packet, std::size_t i) {
   if (packet.best_prim[i] == kNoPrim) return Hit{};
   const LeafRef leaf = ChildRef(packet.best_leaf[i]).leaf_ref();
   return {packet.best_t[i], packet.best_prim[i], leaf.lane(packet.best_lane[i])};
 }
 
+template <std::size_t kSize>
 struct PacketSearch {
-  Packet packet;
+  Packet<kSize> packet;
   PacketBounds bounds;
   PendingStack pending;
 
   PacketSearch() { make_bottom(pending); }
 };
 
-// Finds what kPacketSize rays hit; false, and nothing is written, when they are better traced one
-// by one.
-HWY_NOINLINE bool trace_packet(const WideBvhView& bvh, const Ray* rays, PacketSearch& search,
-                               Hit* hits) {
+// Finds what the rays of a packet hit; false when they are better traced one by one.
+template <bool kAnyHit, std::size_t kSize>
+HWY_NOINLINE bool search_packet(const WideBvhView& bvh, const Ray* rays,
+                                PacketSearch<kSize>& search) {
   auto& [packet, bounds, pending] = search;
   fill(rays, packet, bounds);
   if (!bound(packet, bounds)) return false;
@@ -57,19 +59,56 @@ HWY_NOINLINE bool trace_packet(const WideBvhView& bvh, const Ray* rays, PacketSe
   int work = 0;
   for (ChildRef current = ChildRef::node(0); !current.empty();
        current = pop_nearest(pending, bounds.t_best)) {
-    if (work > kPacketBudget) return false;
+    if (work > Packet<kSize>::kBudget) return false;
     if (current.is_leaf()) {
       const ShapeKind kind = current.leaf_kind();
       if (kind > ShapeKind::triangle) return false;  // not for packets
       if (kind == ShapeKind::triangle && !bounds.one_axis) return false;
-      work += visit_leaf(bounds, current, bvh.rows.data(), packet);
+      work += visit_leaf<kAnyHit>(bounds, current, bvh.rows.data(), packet);
       bounds.t_best = extent_of(packet.best_t).high;
     } else {
       work += kNodeWork;
       visit_node(bounds, bvh.nodes[current.node_index()], pending);
     }
   }
-  for (std::size_t i = 0; i < kPacketSize; ++i) hits[i] = hit_of(packet, i);
+  return true;
+}
+
+// What to do with rays: find their closest hits ...
+struct ClosestHits {
+  static constexpr bool kAnyHit = false;
+  const Ray* rays;
+  Hit* hits;
+
+  HWY_INLINE void set(std::size_t i, const Hit& best) const { hits[i] = finished(best); }
+  template <class Packet>
+  HWY_INLINE void set(std::size_t i, const Packet& packet, std::size_t lane) const {
+    hits[i] = hit_of(packet, lane);
+  }
+};
+
+// ... or whether they hit anything.
+struct AnyHits {
+  static constexpr bool kAnyHit = true;
+  const Ray* rays;
+  std::uint8_t* occluded;
+
+  HWY_INLINE void set(std::size_t i, const Hit& best) const {
+    occluded[i] = best.prim != kNoPrim ? 1 : 0;
+  }
+  template <class Packet>
+  HWY_INLINE void set(std::size_t i, const Packet& packet, std::size_t lane) const {
+    occluded[i] = packet.best_prim[lane] != kNoPrim ? 1 : 0;
+  }
+};
+
+// Traces rays [begin, begin + kSize) of a job; false, and nothing is written, when they are better
+// traced otherwise.
+template <class Job, std::size_t kSize>
+HWY_INLINE bool trace_packet(const WideBvhView& bvh, const Job& job, std::size_t begin,
+                             PacketSearch<kSize>& search) {
+  if (!search_packet<Job::kAnyHit>(bvh, job.rays + begin, search)) return false;
+  for (std::size_t i = 0; i < kSize; ++i) job.set(begin + i, search.packet, i);
   return true;
 }
 

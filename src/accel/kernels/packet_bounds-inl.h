@@ -12,19 +12,25 @@ HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
 
-inline constexpr std::size_t kPacketSize = 64;
+// Large packets where many rays meet the same shapes, small ones where they part sooner.
+inline constexpr std::size_t kLargePacket = 64, kSmallPacket = 16;
 // Work, in about ten instructions, after which a packet gives up: its rays have less in common than
-// it seemed. Single rays through a large scene cost more than this, so trying loses little.
-inline constexpr int kPacketBudget = 1280;
-inline constexpr int kNodeWork = 2, kPrimWork = 1 + kPacketSize / 16;
+// it seemed. A large one gives up soon, since small ones are tried after it.
+inline constexpr int kLargeBudget = 320, kSmallBudget = 640;
+inline constexpr int kNodeWork = 2;
 
+template <std::size_t kSize>
 struct alignas(64) Packet {
-  float origin[3][kPacketSize], direction[3][kPacketSize], inverse[3][kPacketSize];
-  float t_min[kPacketSize], inverse_dot[kPacketSize];
-  float shear[2][kPacketSize];
-  float best_t[kPacketSize];
-  std::uint32_t best_prim[kPacketSize];
-  std::uint32_t best_leaf[kPacketSize], best_lane[kPacketSize];  // ChildRef bits, lane in it
+  static constexpr std::size_t kRays = kSize;
+  static constexpr int kBudget = kSize == kLargePacket ? kLargeBudget : kSmallBudget;
+  static constexpr int kPrimWork = 1 + static_cast<int>(kSize / 16);
+
+  float origin[3][kSize], direction[3][kSize], inverse[3][kSize];
+  float t_min[kSize], inverse_dot[kSize];
+  float shear[2][kSize];
+  float best_t[kSize];  // negative for a ray that looks for nothing more
+  std::uint32_t best_prim[kSize];
+  std::uint32_t best_leaf[kSize], best_lane[kSize];  // ChildRef bits, lane in it
 };
 
 // What all rays of a packet have in common.
@@ -43,9 +49,10 @@ struct Extent {
   float low, high;
 };
 
-HWY_INLINE Extent extent_of(const float* values) {
+template <std::size_t kSize>
+HWY_INLINE Extent extent_of(const float (&values)[kSize]) {
   FloatVec low = load_floats(values), high = low;
-  for (std::size_t i = kLanes; i < kPacketSize; i += kLanes) {
+  for (std::size_t i = kLanes; i < kSize; i += kLanes) {
     low = hn::Min(low, load_floats(values + i));
     high = hn::Max(high, load_floats(values + i));
   }
@@ -53,6 +60,7 @@ HWY_INLINE Extent extent_of(const float* values) {
 }
 
 // False when the signs of the directions differ or a ray is unusable.
+template <class Packet>
 HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Extent inverse = extent_of(packet.inverse[axis]);
@@ -73,9 +81,10 @@ HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
   return best.low >= 0.0f;
 }
 
+template <class Packet>
 HWY_INLINE void fill(const Ray* rays, Packet& packet, PacketBounds& bounds) {
   bounds.one_axis = true;
-  for (std::size_t i = 0; i < kPacketSize; ++i) {
+  for (std::size_t i = 0; i < Packet::kRays; ++i) {
     PreparedRay ray;
     prepare_fast(rays[i], ray);
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -31,6 +31,7 @@ HWY_INLINE OneSphere spread_sphere(const LeafRow* leaf, std::size_t lane) {
   return sphere;
 }
 
+template <class Packet>
 HWY_INLINE LaneHits meet_sphere(const Packet& packet, std::size_t i, const OneSphere& sphere) {
   const Floats d;
   FloatVec o[3], dir[3], from[3];
@@ -67,6 +68,7 @@ HWY_INLINE LaneHits meet_sphere(const Packet& packet, std::size_t i, const OneSp
   return {hn::And(mask, hn::And(hn::Le(near, far), hn::Le(t, t_max))), t};
 }
 
+template <class Packet>
 HWY_INLINE LaneHits meet_rectangle(const Packet& packet, std::size_t i, RectangleAxes axes,
                                    const PacketBounds& bounds, const float* numbers) {
   const auto cross = [&](float plane, int axis) {
@@ -87,6 +89,7 @@ HWY_INLINE LaneHits meet_rectangle(const Packet& packet, std::size_t i, Rectangl
 }
 
 // One triangle, as all its lanes, with rays [i, i + kLanes) that have one axis.
+template <class Packet>
 HWY_INLINE LaneHits meet_triangle(const Packet& packet, std::size_t i, const PacketBounds& bounds,
                                   const float* v) {
   const Floats d;
@@ -134,7 +137,9 @@ HWY_INLINE LaneHits meet_triangle(const Packet& packet, std::size_t i, const Pac
   return {hn::And(mask, hn::And(hn::Le(near, far), hn::Le(t, t_max))), t};
 }
 
-// Keeps what is nearer than before, or as near with a lower id.
+// Keeps what is nearer than before, or as near with a lower id. A ray for which any hit will do
+// looks for nothing more.
+template <bool kAnyHit, class Packet>
 HWY_INLINE void keep_nearer(LaneHits hits, std::size_t i, PrimId id, ChildRef leaf,
                             std::size_t lane, Packet& packet) {
   const Floats d;
@@ -149,7 +154,8 @@ HWY_INLINE void keep_nearer(LaneHits hits, std::size_t i, PrimId id, ChildRef le
   const auto keep = [&](std::uint32_t* to, WordVec value) {
     hn::Store(hn::IfThenElse(better_words, value, hn::Load(w, to + i)), w, to + i);
   };
-  hn::Store(hn::IfThenElse(better, hits.t, best_t), d, packet.best_t + i);
+  const FloatVec next = kAnyHit ? all(-1.0f) : hits.t;
+  hn::Store(hn::IfThenElse(better, next, best_t), d, packet.best_t + i);
   keep(packet.best_prim, prim);
   keep(packet.best_leaf, hn::Set(w, leaf.bits));
   keep(packet.best_lane, hn::Set(w, static_cast<std::uint32_t>(lane)));
@@ -185,6 +191,7 @@ HWY_INLINE std::uint32_t candidate_triangles(const PacketBounds& bounds, const L
 }
 
 // Returns the work done.
+template <bool kAnyHit, class Packet>
 HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRow* rows,
                           Packet& packet) {
   const ShapeKind kind = ref.leaf_kind();
@@ -199,13 +206,13 @@ HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRo
   while (candidates != 0) {
     const std::uint32_t lane = take_lowest(candidates);
     if (ids[lane] == kNoPrim) break;
-    work += kPrimWork;
+    work += Packet::kPrimWork;
     if (is_sphere) {
       const OneSphere sphere = spread_sphere(leaf, lane);
-      for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
+      for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
         const LaneHits hits = meet_sphere(packet, i, sphere);
         if (!hn::AllFalse(Floats(), hits.mask)) {
-          keep_nearer(hits, i, ids[lane], ref, lane, packet);
+          keep_nearer<kAnyHit>(hits, i, ids[lane], ref, lane, packet);
         }
       }
       continue;
@@ -215,17 +222,17 @@ HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRo
       numbers[row] = load_float(leaf[row].words + lane);
     }
     if (is_triangle) {
-      for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
+      for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
         const LaneHits hits = meet_triangle(packet, i, bounds, numbers);
         if (!hn::AllFalse(Floats(), hits.mask)) {
-          keep_nearer(hits, i, ids[lane], ref, lane, packet);
+          keep_nearer<kAnyHit>(hits, i, ids[lane], ref, lane, packet);
         }
       }
       continue;
     }
-    for (std::size_t i = 0; i < kPacketSize; i += kLanes) {
+    for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
       const LaneHits hits = meet_rectangle(packet, i, rectangle_axes(kind), bounds, numbers);
-      keep_nearer(hits, i, ids[lane], ref, lane, packet);
+      keep_nearer<kAnyHit>(hits, i, ids[lane], ref, lane, packet);
     }
   }
   return work;

@@ -55,23 +55,33 @@ HWY_INLINE void advance(const WideView& bvh, Search& search, std::size_t id, Wor
   if (bvh.far) prefetch(bvh, search.current);
 }
 
-// Rays of a stream still to be started, and what to do with a search that ended.
-template <class Finish>
-struct Stream {
-  const Ray* rays;
-  std::size_t count;
-  std::size_t next;
-  Finish finish;
+// Rays that one thread is given at most before it drains its searches.
+inline constexpr std::size_t kChunk = 4096;
+
+// Rays of a job that are traced one by one, and which of them is to be started next.
+struct Singles {
+  std::uint16_t rays[kChunk];
+  std::size_t count = 0, next = 0;
+
+  HWY_INLINE void add(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) rays[count++] = static_cast<std::uint16_t>(i);
+  }
+  HWY_INLINE bool any_left() const { return next < count; }
 };
 
-template <LeafKinds kKinds, bool kAnyHit, class Finish>
-HWY_INLINE void trace_stream(const WideView& bvh, Stream<Finish> stream) {
+template <LeafKinds kKinds, class Job>
+HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, Singles& singles) {
+  constexpr bool kAnyHit = Job::kAnyHit;
   Search searches[kInFlight];
   Worklists both[2];
   Worklists *now = &both[0], *next = &both[1];
+  const auto start_next = [&](Search& search) {
+    const std::size_t ray = singles.rays[singles.next++];
+    start<kKinds>(job.rays[ray], ray, search);
+  };
   for (Search& search : searches) make_bottom(search.pending);
-  for (std::size_t id = 0; id < kInFlight && stream.next < stream.count; ++id, ++stream.next) {
-    start<kKinds>(stream.rays[stream.next], stream.next, searches[id]);
+  for (std::size_t id = 0; id < kInFlight && singles.any_left(); ++id) {
+    start_next(searches[id]);
     now->at_node[now->node_count++] = static_cast<std::uint8_t>(id);
   }
   while (now->node_count + now->leaf_count != 0) {
@@ -94,10 +104,9 @@ HWY_INLINE void trace_stream(const WideView& bvh, Stream<Finish> stream) {
     }
     for (std::size_t i = 0; i < next->ended_count; ++i) {
       Search& search = searches[next->ended[i]];
-      stream.finish(search.index, search.best);
-      if (stream.next == stream.count) continue;
-      start<kKinds>(stream.rays[stream.next], stream.next, search);
-      ++stream.next;
+      job.set(search.index, search.best);
+      if (!singles.any_left()) continue;
+      start_next(search);
       next->at_node[next->node_count++] = next->ended[i];
     }
     Worklists* const done = now;
@@ -106,25 +115,20 @@ HWY_INLINE void trace_stream(const WideView& bvh, Stream<Finish> stream) {
   }
 }
 
-template <LeafKinds kKinds>
-HWY_NOINLINE void trace_one_by_one(const WideView& bvh, const Ray* rays, std::size_t count,
-                                   Hit* hits) {
-  const auto finish = [hits](std::size_t i, const Hit& best) { hits[i] = finished(best); };
-  trace_stream<kKinds, false>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
-}
-HWY_INLINE void trace_one_by_one(const WideView& bvh, const Ray* rays, std::size_t count,
-                                 Hit* hits) {
+template <class Job>
+HWY_INLINE void trace_singles(const WideView& bvh, const Job& job, Singles& singles) {
   switch (bvh.kinds) {
     case LeafKinds::spheres:
-      return trace_one_by_one<LeafKinds::spheres>(bvh, rays, count, hits);
+      return trace_singles<LeafKinds::spheres>(bvh, job, singles);
     case LeafKinds::triangles:
-      return trace_one_by_one<LeafKinds::triangles>(bvh, rays, count, hits);
+      return trace_singles<LeafKinds::triangles>(bvh, job, singles);
     case LeafKinds::any:
-      return trace_one_by_one<LeafKinds::any>(bvh, rays, count, hits);
+      return trace_singles<LeafKinds::any>(bvh, job, singles);
   }
 }
 
-// Whether trying a packet is worth it: after each failure in a row, twice as many are let pass.
+// Whether trying a packet is worth it: after each failure twice as many are let pass, after each
+// success half as many.
 struct Patience {
   std::size_t failures = 0, to_skip = 0;
 
@@ -134,38 +138,54 @@ struct Patience {
     return false;
   }
   HWY_INLINE void learn(bool worked) {
-    failures = worked ? 0 : failures + (failures < 6);
+    failures = worked ? failures / 2 : failures + (failures < 6);
     to_skip = (std::size_t{1} << failures) - 1;
   }
 };
 
-// Packets where they work; what lies between them is traced in longer runs of single rays.
+// Packets, and how well those of either size have worked so far.
+struct Packets {
+  PacketSearch<kLargePacket> large;
+  PacketSearch<kSmallPacket> small;
+  Patience with_large, with_small;
+};
+
+template <class Job, std::size_t kSize>
+HWY_INLINE bool try_packet(const WideView& bvh, const Job& job, std::size_t begin,
+                           PacketSearch<kSize>& search, Patience& patience) {
+  if (!patience.try_now()) return false;
+  const bool worked = trace_packet(bvh, job, begin, search);
+  patience.learn(worked);
+  return worked;
+}
+
+// Packets where they work, large ones first; what they leave is traced one by one.
+template <class Job>
+HWY_INLINE void trace_chunk(const WideView& bvh, const Job& job, std::size_t count,
+                            Packets& packets) {
+  Singles singles;
+  std::size_t i = 0;
+  for (; i + kLargePacket <= count; i += kLargePacket) {
+    if (try_packet(bvh, job, i, packets.large, packets.with_large)) continue;
+    for (std::size_t j = i; j < i + kLargePacket; j += kSmallPacket) {
+      if (try_packet(bvh, job, j, packets.small, packets.with_small)) continue;
+      singles.add(j, j + kSmallPacket);
+    }
+  }
+  singles.add(i, count);
+  trace_singles(bvh, job, singles);
+}
+
 HWY_ATTR void intersect_wide(const WideView& bvh, const Ray* rays, Hit* hits, std::size_t count) {
   if (bvh.empty()) {
     for (std::size_t i = 0; i < count; ++i) hits[i] = Hit{};
     return;
   }
-  PacketSearch search;
-  Patience patience;
-  std::size_t traced = 0;
-  for (std::size_t i = 0; i + kPacketSize <= count; i += kPacketSize) {
-    if (!patience.try_now()) continue;
-    const bool worked = trace_packet(bvh, rays + i, search, hits + i);
-    patience.learn(worked);
-    if (!worked) continue;
-    trace_one_by_one(bvh, rays + traced, i - traced, hits + traced);
-    traced = i + kPacketSize;
+  Packets packets;
+  for (std::size_t i = 0; i < count; i += kChunk) {
+    trace_chunk(bvh, ClosestHits{rays + i, hits + i}, count - i < kChunk ? count - i : kChunk,
+                packets);
   }
-  trace_one_by_one(bvh, rays + traced, count - traced, hits + traced);
-}
-
-template <LeafKinds kKinds>
-HWY_NOINLINE void occluded_one_by_one(const WideView& bvh, const Ray* rays, std::uint8_t* occluded,
-                                      std::size_t count) {
-  const auto finish = [occluded](std::size_t i, const Hit& best) {
-    occluded[i] = best.prim != kNoPrim ? 1 : 0;
-  };
-  trace_stream<kKinds, true>(bvh, Stream<decltype(finish)>{rays, count, 0, finish});
 }
 
 HWY_ATTR void occluded_wide(const WideView& bvh, const Ray* rays, std::uint8_t* occluded,
@@ -174,13 +194,10 @@ HWY_ATTR void occluded_wide(const WideView& bvh, const Ray* rays, std::uint8_t* 
     for (std::size_t i = 0; i < count; ++i) occluded[i] = 0;
     return;
   }
-  switch (bvh.kinds) {
-    case LeafKinds::spheres:
-      return occluded_one_by_one<LeafKinds::spheres>(bvh, rays, occluded, count);
-    case LeafKinds::triangles:
-      return occluded_one_by_one<LeafKinds::triangles>(bvh, rays, occluded, count);
-    case LeafKinds::any:
-      return occluded_one_by_one<LeafKinds::any>(bvh, rays, occluded, count);
+  Packets packets;
+  for (std::size_t i = 0; i < count; i += kChunk) {
+    trace_chunk(bvh, AnyHits{rays + i, occluded + i}, count - i < kChunk ? count - i : kChunk,
+                packets);
   }
 }
 
