@@ -72,4 +72,9 @@ void RangeSplitter::write_leaf(const PrimRange& range, LeafRow* leaf) const {
   }
 }
 
+void RangeSplitter::forget(const PrimRange& range) noexcept {
+  prims_.forget(range.begin, range.end);
+  if (scratch_.size() != 0) scratch_.forget(range.begin, range.end);
+}
+
 }  // namespace dapple

@@ -36,6 +36,9 @@ class RangeSplitter {
   ShapeKind leaf_kind(const PrimRange& range) const { return kind_of(prims_[range.begin].id); }
   void write_leaf(const PrimRange& range, LeafRow* leaf) const;
 
+  // Gives the memory of a range back whose leaves are all written.
+  void forget(const PrimRange& range) noexcept;
+
  private:
   ShapeKind kind_of(PrimId id) const;
   RangePair cut(const PrimRange& range, std::size_t middle) const;

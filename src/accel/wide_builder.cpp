@@ -107,6 +107,7 @@ void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
     fragment.rows.reserve(tree.leaf_count() * kMaxLeafRows);
     fragment.nodes.reserve(tree.leaf_count() / 8 + 8);
     build_below(tree, BinaryTree::kRoot, fragment);
+    splitter_.forget(range);
     return;
   }
   const std::vector<PrimRange> children = split_into_children(range, depth);
@@ -132,12 +133,14 @@ class Joiner {
     for (Fragment& root : roots) place(root);
   }
 
+  // Takes the fragments apart while it copies them, so that they and the result are never there
+  // whole at the same time.
   WideBvh join() const {
     if (row_count_ > ChildRef::kMaxRow)
       throw std::length_error("the leaves of the BVH pass 16 GiB");
     WideBvh bvh{HugeArray<WideNode>(node_count_), HugeArray<LeafRow>(row_count_)};
     parallel_for_chunks(fragments_.size(), 1,
-                        [&](std::size_t i, std::size_t) { copy(*fragments_[i], bvh); });
+                        [&](std::size_t i, std::size_t) { take(*fragments_[i], bvh); });
     return bvh;
   }
 
@@ -162,7 +165,7 @@ class Joiner {
     return ChildRef::node(fragment.children[child.node_index()]->first_node);
   }
 
-  static void copy(const Fragment& fragment, WideBvh& bvh) {
+  static void take(Fragment& fragment, WideBvh& bvh) {
     std::copy(fragment.rows.begin(), fragment.rows.end(), bvh.rows.data() + fragment.first_row);
     WideNode* to = bvh.nodes.data() + fragment.first_node;
     for (const WideNode& node : fragment.nodes) {
@@ -170,9 +173,13 @@ class Joiner {
       for (ChildRef& child : to->children) child = moved(child, fragment);
       ++to;
     }
+    // An allocator would keep the memory for later; the system needs it now, for the result.
+    forget_pages(fragment.rows.data(), fragment.rows.size() * sizeof(LeafRow));
+    fragment.rows = {};
+    fragment.nodes = {};
   }
 
-  std::vector<const Fragment*> fragments_;
+  std::vector<Fragment*> fragments_;
   std::size_t node_count_ = 0, row_count_ = 0;
 };
 

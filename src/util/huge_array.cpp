@@ -43,4 +43,10 @@ void free_pages(void* address, std::size_t bytes) noexcept {
   ::munmap(address, mapped_size(bytes));
 }
 
+void forget_pages(void* address, std::size_t bytes) noexcept {
+  const auto begin = reinterpret_cast<std::uintptr_t>(address);
+  const std::uintptr_t first = round_up(begin, kPage), end = (begin + bytes) / kPage * kPage;
+  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
+}
+
 }  // namespace dapple

@@ -12,6 +12,8 @@ namespace dapple {
 // a cache line. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_pages(std::size_t bytes);
 void free_pages(void* address, std::size_t bytes) noexcept;
+// Gives the whole pages in that memory back to the system; their content is lost.
+void forget_pages(void* address, std::size_t bytes) noexcept;
 
 template <class T>
 class HugeArray {
@@ -40,6 +42,10 @@ class HugeArray {
   T& operator[](std::size_t i) { return data_[i]; }
   const T& operator[](std::size_t i) const { return data_[i]; }
   std::span<T> span() { return {data_, size_}; }
+  // Elements [begin, end) are not needed any more, though the array stays.
+  void forget(std::size_t begin, std::size_t end) noexcept {
+    forget_pages(data_ + begin, (end - begin) * sizeof(T));
+  }
   std::span<const T> span() const { return {data_, size_}; }
 
  private:
