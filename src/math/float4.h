@@ -1,5 +1,9 @@
-// Four floats at once, with what every x86-64 and every compiler has: the builder's boxes.
+// Four floats at once, with what every x86-64 and every compiler has: the builder's boxes,
+// texels.
 #pragma once
+
+#include <cstdint>
+#include <cstring>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -14,6 +18,14 @@ struct Float4 {
 
   static Float4 load(const float* p) { return {_mm_loadu_ps(p)}; }
   static Float4 all(float x) { return {_mm_set1_ps(x)}; }
+  static Float4 of(float a, float b, float c, float d) { return {_mm_setr_ps(a, b, c, d)}; }
+  static Float4 of_bytes(const std::uint8_t* p) {
+    std::int32_t word;
+    std::memcpy(&word, p, sizeof(word));
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i halves = _mm_unpacklo_epi8(_mm_cvtsi32_si128(word), zero);
+    return {_mm_cvtepi32_ps(_mm_unpacklo_epi16(halves, zero))};
+  }
   void store(float* p) const { _mm_storeu_ps(p, v); }
   // The first three lanes; the fourth becomes 0.
   Float4 xyz() const { return {_mm_and_ps(v, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)))}; }
@@ -36,6 +48,11 @@ struct Float4 {
 
   static Float4 load(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
   static Float4 all(float x) { return {{x, x, x, x}}; }
+  static Float4 of(float a, float b, float c, float d) { return {{a, b, c, d}}; }
+  static Float4 of_bytes(const std::uint8_t* p) {
+    return {{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
+             static_cast<float>(p[3])}};
+  }
   void store(float* p) const {
     for (int i = 0; i < 4; ++i) p[i] = v[i];
   }

@@ -23,11 +23,8 @@ HWY_INLINE FloatVec horner(FloatVec x, float c, Rest... rest) {
   return hn::Add(all(c), hn::Mul(x, horner(x, rest...)));
 }
 
-// For turns in [0, 2^20].
-HWY_INLINE SinCosVec sin_cos_turns(FloatVec turns) {
-  const FloatVec quarter_turns = hn::Mul(turns, all(4.0f));
-  const WordVec quadrant = to_words(hn::Add(quarter_turns, all(0.5f)));
-  const FloatVec x = hn::Mul(hn::Sub(quarter_turns, to_floats(quadrant)), all(1.57079632679f));
+// Of the angle x in [-pi/4, pi/4] plus `quadrant` right angles.
+HWY_INLINE SinCosVec sin_cos_of_quadrant(FloatVec x, WordVec quadrant) {
   const FloatVec x2 = hn::Mul(x, x);
   const FloatVec s =
       hn::Mul(x, horner(x2, 1.0f, -1.0f / 6, 1.0f / 120, -1.0f / 5040, 1.0f / 362880));
@@ -39,6 +36,14 @@ HWY_INLINE SinCosVec sin_cos_turns(FloatVec turns) {
   const WordVec cos_sign = hn::ShiftLeft<30>(hn::And(hn::Add(quadrant, one), two));
   return {hn::Xor(hn::IfThenElse(swapped, c, s), floats_of_bits(sin_sign)),
           hn::Xor(hn::IfThenElse(swapped, s, c), floats_of_bits(cos_sign))};
+}
+
+// For turns in [0, 2^20].
+HWY_INLINE SinCosVec sin_cos_turns(FloatVec turns) {
+  const FloatVec quarter_turns = hn::Mul(turns, all(4.0f));
+  const WordVec quadrant = to_words(hn::Add(quarter_turns, all(0.5f)));
+  return sin_cos_of_quadrant(
+      hn::Mul(hn::Sub(quarter_turns, to_floats(quadrant)), all(1.57079632679f)), quadrant);
 }
 
 HWY_INLINE FloatVec halley_step(FloatVec x, FloatVec r) {

@@ -34,8 +34,9 @@ struct LightPath {
   // Where the ray comes from: what the choice of lights there was made with, to weigh what it
   // finds.
   Vec3f position;
-  Vec3f normal;   // zero in a medium
-  float pdf = 0;  // of the ray's direction; 0: no other strategy finds what it finds
+  Vec3f normal;                 // zero in a medium
+  float environment_share = 0;  // of the choice
+  float pdf = 0;                // of the ray's direction; 0: no other strategy finds what it finds
   float cone_width = 0;
   float cone_spread = 0;  // growth of the width along the ray
   float alpha = 0;        // 1 once the path met something

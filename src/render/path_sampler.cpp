@@ -60,4 +60,9 @@ std::array<float, 4> PathSampler::uniform4(const Place& place, std::uint32_t dim
   return u;
 }
 
+SamplerView PathSampler::view() const {
+  return {sample_bits_, pixel_bits_, static_cast<std::uint32_t>(seed_),
+          static_cast<std::uint32_t>(seed_ >> 32)};
+}
+
 }  // namespace dapple

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstdint>
 
+#include "render/kernels/sampling_views.h"
+
 namespace dapple {
 
 class PathSampler {
@@ -30,6 +32,8 @@ class PathSampler {
                                 std::uint32_t dimension) const {
     return uniform4(place(x, y, sample), dimension);
   }
+
+  SamplerView view() const;
 
  private:
   int unused_bits() const { return 32 - sample_bits_ - 2 * pixel_bits_; }

@@ -26,17 +26,20 @@ bool is_black(const Vec3f& c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
 
 }  // namespace
 
-Vec3f leave_surface(const Surface& surface, const Vec3f& wi) {
-  const Vec3f& n = surface.at.geometric_normal;
+Vec3f leave_surface(const SurfacePlace& place, const Vec3f& wi) {
+  const Vec3f& n = place.normal;
   // The position is off by `error` at most, and adding rounds once more.
-  const float step = 2.0f * surface.error + kPositionError * max_abs_component(surface.at.position);
-  return surface.at.position + (dot(wi, n) < 0 ? -step : step) * n;
+  const float step = 2.0f * place.error + kPositionError * max_abs_component(place.position);
+  return place.position + (dot(wi, n) < 0 ? -step : step) * n;
+}
+
+SurfacePlace place_of(const Surface& surface) {
+  const SurfaceInteraction& at = surface.at;
+  return {at.position, at.geometric_normal, surface.error, surface.material, at.from_outside};
 }
 
 std::array<float, 4> PathVertices::numbers(const LightPath& path, Decision decision) const {
-  const auto dimension = path.vertices * static_cast<std::uint32_t>(Decision::count) +
-                         static_cast<std::uint32_t>(decision);
-  return sampler_.uniform4(path.sample, dimension);
+  return sampler_.uniform4(path.sample, dimension_of(path, decision));
 }
 
 void PathVertices::add(const Vec3f& radiance, LightPath& path) const {
@@ -44,7 +47,8 @@ void PathVertices::add(const Vec3f& radiance, LightPath& path) const {
 }
 
 bool PathVertices::advance(std::uint32_t index, LightPath& path, Ray& ray, const Hit& hit,
-                           std::vector<ShadowRay>& shadow_rays) const {
+                           const Described& described, const VertexDraw& draw,
+                           std::vector<ShadowRay>& shadow_rays, PendingVertices& pending) const {
   if (path.insides.innermost() != kVacuum) {
     const Medium medium = lit_.materials().interior(path.insides.innermost());
     if (medium.scatters()) {
@@ -52,24 +56,29 @@ bool PathVertices::advance(std::uint32_t index, LightPath& path, Ray& ray, const
       const auto event = sample_distance(medium, hit.t, path.throughput, u[0], u[1]);
       path.throughput = path.throughput * event.weight;
       if (event.scattered) {
-        return scatter_in_medium(index, path, ray, event.distance, medium, shadow_rays);
+        return scatter_in_medium(index, path, ray, event.distance, medium, draw, shadow_rays);
       }
     } else {
       path.throughput = path.throughput * transmittance(medium, hit.t);
     }
   }
   if (!hit.found()) {
-    see_environment(ray, path);
+    const EnvironmentLight& environment = lit_.lights().environment();
+    escape(environment.radiance(ray.direction), environment.pdf(ray.direction), path);
     return false;
   }
 
   path.cone_width += path.cone_spread * hit.t;
-  const Surface surface = lit_.surfaces().build(scene_.accel(), ray, hit, path.cone_width);
-  const auto choose = numbers(path, Decision::choose);
+  const SurfaceBuilder& surfaces = lit_.surfaces();
+  const Surface surface =
+      described.element
+          ? surfaces.from_chunk(described.chunk, *described.element, ray, path.cone_width)
+          : surfaces.build(scene_.accel(), ray, hit, path.cone_width);
+  const auto& choose = draw.choose;
   const MaterialEvaluator& materials = lit_.materials();
   if (materials.may_be_transparent(surface.material) &&
       choose[0] >= materials.opacity(surface.material, surface.at)) {
-    ray.origin = leave_surface(surface, ray.direction);
+    ray.origin = leave_surface(place_of(surface), ray.direction);
     path.passed = true;
     return ++path.vertices < path.scatterings + kMaxPassages;
   }
@@ -81,21 +90,22 @@ bool PathVertices::advance(std::uint32_t index, LightPath& path, Ray& ray, const
   see_emission(surface, ray, hit.t, path);
   if (path.scatterings >= settings_.max_scatterings) return false;
 
+  if (materials.is_plain(surface.material)) {
+    postpone(index, surface, ray, draw, path, pending);
+    return true;
+  }
   const Bsdf bsdf =
       materials.make_bsdf(surface.material, surface.at, -ray.direction, path.dispersion);
-  const auto move = numbers(path, Decision::move);
-  ask_light(index, path, surface, bsdf, choose[2], {move[2], move[3]}, shadow_rays);
-  return scatter(surface, bsdf, choose[1], {move[0], move[1]}, path, ray) &&
-         survives(choose[3], path);
+  ask_light(index, path, surface, bsdf, draw, shadow_rays);
+  const auto sample = bsdf.sample(choose[1], {draw.move[0], draw.move[1]});
+  return sample && scatter(place_of(surface), *sample, path, ray) && survives(choose[3], path);
 }
 
-void PathVertices::see_environment(const Ray& ray, LightPath& path) const {
-  if (path.alpha == 0 && settings_.transparent_background) return;
-  const Vec3f radiance = lit_.lights().environment().radiance(ray.direction);
+void PathVertices::escape(const Vec3f& radiance, float environment_pdf, LightPath& path) const {
+  if (!sees_environment(path)) return;
   float weight = 1;
   if (path.pdf > 0) {
-    const float other = lit_.lights().pdf_of_environment(path.position, path.normal, ray.direction);
-    weight = power_heuristic(path.pdf, other);
+    weight = power_heuristic(path.pdf, path.environment_share * environment_pdf);
   }
   path.alpha = 1;
   add(weight * radiance, path);
@@ -118,21 +128,36 @@ void PathVertices::see_emission(const Surface& surface, const Ray& ray, float di
   add(weight * radiance, path);
 }
 
-void PathVertices::ask_light(std::uint32_t index, const LightPath& path, const Surface& surface,
-                             const Bsdf& bsdf, float u_choose, Vec2f u,
+std::optional<LightSample> PathVertices::sample_light(const Vec3f& position, const Vec3f& normal,
+                                                      const VertexDraw& draw,
+                                                      LightPath& path) const {
+  const LightSet::Groups groups = lit_.lights().groups(position, normal);
+  path.environment_share = groups.environment;
+  return lit_.lights().sample(groups, position, normal, draw.choose[2],
+                              {draw.move[2], draw.move[3]}, draw.environment);
+}
+
+void PathVertices::ask_light(std::uint32_t index, LightPath& path, const Surface& surface,
+                             const Bsdf& bsdf, const VertexDraw& draw,
                              std::vector<ShadowRay>& shadow_rays) const {
   if (bsdf.is_specular_only()) return;
   const SurfaceInteraction& at = surface.at;
-  const auto light = lit_.lights().sample(at.position, at.geometric_normal, u_choose, u);
+  const auto light = sample_light(at.position, at.geometric_normal, draw, path);
   if (!light || !(light->pdf > 0)) return;
-  const BsdfValue value = bsdf.evaluate(light->wi);
+  add_shadow_ray(index, path, place_of(surface), *light, bsdf.evaluate(light->wi), shadow_rays);
+}
+
+void PathVertices::add_shadow_ray(std::uint32_t index, const LightPath& path,
+                                  const SurfacePlace& place, const LightSample& light,
+                                  const BsdfValue& value,
+                                  std::vector<ShadowRay>& shadow_rays) const {
   if (is_black(value.f)) return;
-  const float weight = light->delta ? 1.0f : power_heuristic(light->pdf, value.pdf);
-  const Vec3f contribution = (weight / light->pdf) * (path.throughput * value.f * light->radiance) *
-                             through_medium(surface, light->wi, light->distance, path);
+  const float weight = light.delta ? 1.0f : power_heuristic(light.pdf, value.pdf);
+  const Vec3f contribution = (weight / light.pdf) * (path.throughput * value.f * light.radiance) *
+                             through_medium(place, light.wi, light.distance, path);
   if (is_black(contribution)) return;
   ShadowRay shadow;
-  shadow.ray = {leave_surface(surface, light->wi), 0, light->wi, kBeforeLight * light->distance};
+  shadow.ray = {leave_surface(place, light.wi), 0, light.wi, kBeforeLight * light.distance};
   shadow.contribution = contribution;
   shadow.path = index;
   shadow.indirect = path.scatterings > 0;
@@ -140,42 +165,40 @@ void PathVertices::ask_light(std::uint32_t index, const LightPath& path, const S
 }
 
 // What is left of light that comes along wi, by the medium on that side of the surface.
-Vec3f PathVertices::through_medium(const Surface& surface, const Vec3f& wi, float distance,
+Vec3f PathVertices::through_medium(const SurfacePlace& place, const Vec3f& wi, float distance,
                                    const LightPath& path) const {
-  const Vec3f& outward = surface.at.geometric_normal;
-  const bool transmitted = (dot(wi, outward) > 0) != surface.at.from_outside;
+  const bool transmitted = (dot(wi, place.normal) > 0) != place.from_outside;
   Insides insides = path.insides;
-  if (transmitted) pass_through(surface, wi, insides);
+  if (transmitted) pass_through(place, wi, insides);
   if (insides.innermost() == kVacuum) return {1, 1, 1};
   return transmittance(lit_.materials().interior(insides.innermost()), distance);
 }
 
-bool PathVertices::scatter(const Surface& surface, const Bsdf& bsdf, float u_lobe, Vec2f u,
-                           LightPath& path, Ray& ray) const {
-  const auto sample = bsdf.sample(u_lobe, u);
-  if (!sample) return false;
-  path.throughput = path.throughput * sample->weight;
+bool PathVertices::scatter(const SurfacePlace& place, const BsdfSample& sample, LightPath& path,
+                           Ray& ray) const {
+  path.throughput = path.throughput * sample.weight;
   if (is_black(path.throughput)) return false;
-  path.position = surface.at.position;
-  path.normal = surface.at.geometric_normal;
-  path.pdf = sample->specular ? 0.0f : sample->pdf;
-  path.cone_spread = std::max(path.cone_spread, kConePerRoughness * sample->roughness);
-  path.dispersion.alone |= sample->one_channel;
-  if (sample->transmitted) pass_through(surface, sample->wi, path.insides);
-  ray.origin = leave_surface(surface, sample->wi);
-  ray.direction = sample->wi;
+  path.position = place.position;
+  path.normal = place.normal;
+  path.pdf = sample.specular ? 0.0f : sample.pdf;
+  path.cone_spread = std::max(path.cone_spread, kConePerRoughness * sample.roughness);
+  path.dispersion.alone |= sample.one_channel;
+  if (sample.transmitted) pass_through(place, sample.wi, path.insides);
+  ray.origin = leave_surface(place, sample.wi);
+  ray.direction = sample.wi;
   path.passed = false;
   ++path.scatterings;
   ++path.vertices;
   return true;
 }
 
-void PathVertices::pass_through(const Surface& surface, const Vec3f& wi, Insides& insides) const {
-  if (!lit_.materials().has_interior(surface.material)) return;
-  if (dot(wi, surface.at.geometric_normal) < 0) {
-    insides.enter(surface.material);
+void PathVertices::pass_through(const SurfacePlace& place, const Vec3f& wi,
+                                Insides& insides) const {
+  if (!lit_.materials().has_interior(place.material)) return;
+  if (dot(wi, place.normal) < 0) {
+    insides.enter(place.material);
   } else {
-    insides.leave(surface.material);
+    insides.leave(place.material);
   }
 }
 
@@ -190,15 +213,15 @@ bool PathVertices::survives(float u, LightPath& path) const {
 }
 
 bool PathVertices::scatter_in_medium(std::uint32_t index, LightPath& path, Ray& ray, float distance,
-                                     const Medium& medium,
+                                     const Medium& medium, const VertexDraw& draw,
                                      std::vector<ShadowRay>& shadow_rays) const {
   path.alpha = 1;
   path.cone_width += path.cone_spread * distance;
   if (path.scatterings >= settings_.max_scatterings) return false;
   const Vec3f position = ray.at(distance);
-  const auto choose = numbers(path, Decision::choose);
-  const auto move = numbers(path, Decision::move);
-  const auto light = lit_.lights().sample(position, {}, choose[2], {move[2], move[3]});
+  const auto& choose = draw.choose;
+  const auto& move = draw.move;
+  const auto light = sample_light(position, {}, draw, path);
   if (light && light->pdf > 0) {
     const float density = phase(dot(ray.direction, light->wi), medium.g);
     const float weight = light->delta ? 1.0f : power_heuristic(light->pdf, density);

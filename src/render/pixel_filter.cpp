@@ -70,6 +70,10 @@ PixelFilter::PixelFilter(FilterKind kind) {
   if (kind == FilterKind::blackman_harris) places_ = invert({1.5, blackman_harris});
 }
 
+FilterView PixelFilter::view() const {
+  return {places_.empty() ? nullptr : places_.data(), kSteps};
+}
+
 float PixelFilter::place(float u) const {
   if (places_.empty()) return u;
   const float x = u * kSteps;

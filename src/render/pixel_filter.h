@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/kernels/sampling_views.h"
 #include "util/error.h"
 
 namespace dapple {
@@ -24,6 +25,7 @@ class PixelFilter {
   // Where in the pixel, along one axis, a uniform number puts a sample: 0.5 is the centre, and
   // what is outside [0, 1) lies in a neighbour.
   float place(float u) const;
+  FilterView view() const;
 
  private:
   std::vector<float> places_;  // the inverse of the distribution at equal steps; empty: uniform

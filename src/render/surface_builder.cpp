@@ -8,6 +8,7 @@
 namespace dapple {
 namespace {
 
+constexpr std::size_t kMostGathered = std::size_t{1} << 31;
 constexpr float kSmallest = 1e-30f;  // of a squared length that still has a direction
 
 Vec3f normalized_or(const Vec3f& v, const Vec3f& fallback) {
@@ -58,7 +59,10 @@ void set_tangent(const Vec3f& wish, SurfaceInteraction& at) {
 }  // namespace
 
 SurfaceBuilder::SurfaceBuilder(const SceneView& scene)
-    : scene_(scene), first_ids_(first_prim_ids(scene)) {}
+    : scene_(scene),
+      fits_chunks_(scene.vertices.positions.size() < kMostGathered / 4 &&
+                   scene.triangles.size() < kMostGathered / 4),
+      first_ids_(first_prim_ids(scene)) {}
 
 std::uint32_t SurfaceBuilder::index_of(const Hit& hit) const {
   const auto kind = static_cast<std::size_t>(hit.lane.kind());
@@ -97,6 +101,61 @@ Surface SurfaceBuilder::build(const Accel& accel, const Ray& ray, const Hit& hit
     set_tangent({}, surface.at);
   } else {
     describe_rectangle(kind, index, surface);
+  }
+  return surface;
+}
+
+MeshView SurfaceBuilder::mesh(const Accel& accel) const {
+  const auto floats = [](const auto& array) {
+    return array.empty() ? nullptr : reinterpret_cast<const float*>(array.data());
+  };
+  MeshView view;
+  view.leaf_rows = accel.leaf_rows();
+  view.corners = reinterpret_cast<const std::uint32_t*>(scene_.triangles.data());
+  view.materials = reinterpret_cast<const std::uint32_t*>(scene_.triangle_materials.data());
+  view.normals = floats(scene_.vertices.normals);
+  view.tangents = floats(scene_.vertices.tangents);
+  for (std::size_t set = 0; set < kUvSetCount; ++set) {
+    view.uvs[set] = floats(scene_.vertices.uvs[set]);
+  }
+  return view;
+}
+
+void SurfaceBuilder::put(const Ray& ray, const Hit& hit, std::size_t i, SurfaceChunk& chunk) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    chunk.origin[axis][i] = ray.origin[axis];
+    chunk.direction[axis][i] = ray.direction[axis];
+  }
+  chunk.lane[i] = static_cast<std::uint32_t>(hit.lane.bits);
+  chunk.triangle[i] = index_of(hit);
+}
+
+Surface SurfaceBuilder::from_chunk(const SurfaceChunk& c, std::size_t i, const Ray& ray,
+                                   float cone_width) const {
+  const auto vector = [i](const SurfaceChunk::Vectors& arrays) {
+    return Vec3f(arrays[0][i], arrays[1][i], arrays[2][i]);
+  };
+  Surface surface;
+  surface.material = static_cast<MaterialId>(c.material[i]);
+  surface.error = c.error[i];
+  surface.emitter.index = c.triangle[i];
+  surface.emitter.kind = EmitterKind::triangle;
+  SurfaceInteraction& at = surface.at;
+  at.position = vector(c.position);
+  at.geometric_normal = vector(c.outward);
+  at.shading_normal = vector(c.shading_normal);
+  at.tangent = vector(c.tangent);
+  at.bitangent_sign = c.bitangent_sign[i];
+  at.cone_width = cone_width;
+  at.from_outside = dot(ray.direction, at.geometric_normal) < 0;
+  for (std::size_t set = 0; set < kUvSetCount; ++set) {
+    if (scene_.vertices.uvs[set].empty()) continue;
+    at.uvs[set] = {c.u[set][i], c.v[set][i]};
+    at.uv_per_length[set] = c.uv_per_length[set][i];
+  }
+  if (!scene_.vertices.colours.empty()) {
+    const Weights weights = {1 - c.weight_1[i] - c.weight_2[i], c.weight_1[i], c.weight_2[i]};
+    at.colour = mixed(weights, scene_.vertices.colours, scene_.triangles[c.triangle[i]].vertices);
   }
   return surface;
 }

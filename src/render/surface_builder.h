@@ -4,6 +4,7 @@
 #include <array>
 
 #include "accel/accel.h"
+#include "render/kernels/surface_chunk.h"
 #include "scene/scene_view.h"
 #include "shading/light_set.h"
 #include "shading/surface_interaction.h"
@@ -27,6 +28,16 @@ class SurfaceBuilder {
 
   MaterialId material_of(const Hit& hit) const;
 
+  // The same by way of a chunk, for triangles that stand in the world themselves.
+  bool fits_chunk(const Hit& hit) const {
+    return fits_chunks_ && hit.found() && hit.lane.kind() == ShapeKind::triangle &&
+           !hit.lane.in_instance();
+  }
+  MeshView mesh(const Accel& accel) const;
+  void put(const Ray& ray, const Hit& hit, std::size_t i, SurfaceChunk& chunk) const;
+  Surface from_chunk(const SurfaceChunk& chunk, std::size_t i, const Ray& ray,
+                     float cone_width) const;
+
  private:
   using Weights = std::array<float, 3>;  // of a triangle's corners
 
@@ -40,6 +51,7 @@ class SurfaceBuilder {
   std::uint32_t index_of(const Hit& hit) const;
 
   SceneView scene_;
+  bool fits_chunks_;  // all indices are small enough for gathers
   std::array<std::size_t, kShapeKindCount> first_ids_;
 };
 

@@ -91,17 +91,19 @@ Status EditedView::load_environment(const std::string& path) {
   auto image = read_image(path);
   if (!image) return tl::unexpected(image.error());
   images_.assign(view_.images.begin(), view_.images.end());
-  texels_.assign(view_.texels.begin(), view_.texels.end());
   TextureImage entry;
   entry.width = static_cast<std::uint32_t>(image->width);
   entry.height = static_cast<std::uint32_t>(image->height);
   entry.format = TexelFormat::rgb32f;
-  entry.offset = (texels_.size() + 15) / 16 * 16;
-  texels_.resize(entry.offset + entry.bytes());
+  entry.offset = (view_.texels.size() + 15) / 16 * 16;
+  texels_ = HugeArray<std::uint8_t>(entry.offset + entry.bytes());
+  if (!view_.texels.empty()) {
+    std::memcpy(texels_.data(), view_.texels.data(), view_.texels.size());
+  }
   std::memcpy(texels_.data() + entry.offset, image->pixels.data(), entry.bytes());
   images_.push_back(entry);
   view_.images = images_;
-  view_.texels = texels_;
+  view_.texels = texels_.span();
   view_.environment = Environment();
   view_.environment.kind = EnvironmentKind::image;
   view_.environment.image = static_cast<ImageId>(images_.size() - 1);

@@ -9,6 +9,7 @@
 #include "render/framing.h"
 #include "scene/scene_view.h"
 #include "util/error.h"
+#include "util/huge_array.h"
 
 namespace dapple {
 
@@ -42,7 +43,7 @@ class EditedView {
 
   SceneView view_;
   std::vector<TextureImage> images_;
-  std::vector<std::uint8_t> texels_;
+  HugeArray<std::uint8_t> texels_;
 };
 
 }  // namespace dapple

@@ -27,6 +27,14 @@ float bilinear(const std::uint16_t* table, std::size_t columns, Place row, Place
   return kUnit * ((1.0f - row.t) * first + row.t * second);
 }
 
+template <std::size_t kCount>
+void set_pairs(const std::uint16_t (&data)[kCount], std::array<std::uint32_t, kCount>& pairs) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::uint32_t next = data[i + 1 < kCount ? i + 1 : i];
+    pairs[i] = data[i] | next << 16;
+  }
+}
+
 float root_of_cosine(float cosine) { return std::sqrt(std::clamp(cosine, 0.0f, 1.0f)); }
 
 }  // namespace
@@ -77,6 +85,21 @@ float refraction_albedo(float cosine, float roughness, float eta) {
 float sheen_albedo(float cosine, float roughness) {
   return kSheenScale * bilinear(kSheenData, kSheenCosines, place(roughness, kSheenRoughnesses),
                                 place(root_of_cosine(cosine), kSheenCosines));
+}
+
+const AlbedoPairs& albedo_pairs() {
+  static const AlbedoPairs pairs = [] {
+    AlbedoPairs p;
+    set_pairs(kReflectionScaleData, p.reflection_scale);
+    set_pairs(kReflectionBiasData, p.reflection_bias);
+    set_pairs(kBrushedScaleData, p.brushed_scale);
+    set_pairs(kBrushedBiasData, p.brushed_bias);
+    set_pairs(kSheenData, p.sheen);
+    set_pairs(kRefractionInData, p.refraction_in);
+    set_pairs(kRefractionOutData, p.refraction_out);
+    return p;
+  }();
+  return pairs;
 }
 
 }  // namespace dapple

@@ -2,6 +2,7 @@
 // `roughness` is the square root of the microfacet distribution's width; both arguments in [0, 1].
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -55,5 +56,17 @@ extern const std::uint16_t
     kRefractionInData[kRefractionInEtas * kRefractionRoughnesses * kRefractionCosines];
 extern const std::uint16_t
     kRefractionOutData[kRefractionOutEtas * kRefractionRoughnesses * kRefractionCosines];
+
+// The same for vector code: each element with the next one in its upper half.
+struct AlbedoPairs {
+  std::array<std::uint32_t, kAlbedoRoughnesses * kAlbedoCosines> reflection_scale, reflection_bias;
+  std::array<std::uint32_t, kBrushedSize> brushed_scale, brushed_bias;
+  std::array<std::uint32_t, kSheenRoughnesses * kSheenCosines> sheen;
+  std::array<std::uint32_t, kRefractionInEtas * kRefractionRoughnesses * kRefractionCosines>
+      refraction_in;
+  std::array<std::uint32_t, kRefractionOutEtas * kRefractionRoughnesses * kRefractionCosines>
+      refraction_out;
+};
+[[nodiscard]] const AlbedoPairs& albedo_pairs();
 
 }  // namespace dapple

@@ -1,9 +1,14 @@
 #include "shading/environment_light.h"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+#include <utility>
 
 #include "math/fast_functions.h"
 #include "math/warps.h"
+#include "parallel/parallel.h"
 #include "shading/colour.h"
 #include "shading/studio.h"
 
@@ -33,6 +38,31 @@ float per_solid_angle(float pdf, float sin_polar) {
 float sine_from(float cosine) {
   const float squared = (1.0f - cosine) * (1.0f + cosine);
   return squared > 0.0f ? std::sqrt(squared) : 0.0f;
+}
+
+// Of image/rgbe.h, red in the lowest byte.
+Vec3f decode_rgbe(std::uint32_t word) {
+  const std::uint32_t exponent = word >> 24;
+  if (exponent == 0) return {};
+  const float step = std::bit_cast<float>((exponent - 9) << 23);
+  return {step * static_cast<float>(word & 255), step * static_cast<float>(word >> 8 & 255),
+          step * static_cast<float>(word >> 16 & 255)};
+}
+
+// No value where something would be lost.
+std::optional<std::uint32_t> encode_rgbe(const Vec3f& c) {
+  const float largest = max_component(c);
+  if (!(largest > 0x1p-110f)) return c == Vec3f() ? std::optional(0u) : std::nullopt;
+  // The step at which the largest channel is an integer in [128, 256).
+  const std::uint32_t exponent = (std::bit_cast<std::uint32_t>(largest) >> 23) + 2;
+  if (exponent > 255) return std::nullopt;
+  const float inverse = std::bit_cast<float>((127 + 136 - exponent) << 23);
+  const auto mantissa = [&](float x) {
+    return static_cast<std::uint32_t>(std::clamp(x * inverse, 0.0f, 255.0f));
+  };
+  const std::uint32_t word =
+      mantissa(c.x) | mantissa(c.y) << 8 | mantissa(c.z) << 16 | exponent << 24;
+  return decode_rgbe(word) == c ? std::optional(word) : std::nullopt;
 }
 
 constexpr int kMostColumns = 1024, kMostRows = 512;  // of the grid of densities
@@ -77,7 +107,7 @@ EnvironmentLight::EnvironmentLight(const SceneView& scene, const TextureSet& tex
 void EnvironmentLight::use_own_pixels(int width, int height) {
   static_assert(sizeof(Vec3f) == 12);
   width_ = width, height_ = height;
-  texels_ = reinterpret_cast<const std::uint8_t*>(own_pixels_.data());
+  rgb_ = reinterpret_cast<const std::uint8_t*>(own_pixels_.data());
 }
 
 void EnvironmentLight::use_image(const SceneView& scene, const TextureSet& textures) {
@@ -86,7 +116,8 @@ void EnvironmentLight::use_image(const SceneView& scene, const TextureSet& textu
   const auto width = static_cast<int>(image.width), height = static_cast<int>(image.height);
   if (image.format == TexelFormat::rgb32f) {
     width_ = width, height_ = height;
-    texels_ = scene.texels.data() + image.offset;
+    rgb_ = scene.texels.data() + image.offset;
+    pack();
     return;
   }
   own_pixels_.reserve(std::size_t{image.width} * image.height);
@@ -98,27 +129,87 @@ void EnvironmentLight::use_image(const SceneView& scene, const TextureSet& textu
   use_own_pixels(width, height);
 }
 
+Vec3f EnvironmentLight::texel(int x, int y) const {
+  const std::size_t index =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  if (rgb_ == nullptr) return decode_rgbe(rgbe_[index]);
+  float t[3];
+  std::memcpy(t, rgb_ + 12 * index, sizeof(t));
+  return {t[0], t[1], t[2]};
+}
+
+// Pictures that were RGBE in their file are so again, a third of the size.
+void EnvironmentLight::pack() {
+  HugeArray<std::uint32_t> words(static_cast<std::size_t>(width_) *
+                                 static_cast<std::size_t>(height_));
+  std::atomic<bool> exact = true;
+  const auto width = static_cast<std::size_t>(width_);
+  parallel_for_dynamic(static_cast<std::size_t>(height_), [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width && exact; ++i) {
+      float t[3];
+      std::memcpy(t, rgb_ + 12 * i, sizeof(t));
+      const auto word = encode_rgbe({t[0], t[1], t[2]});
+      if (!word) exact = false;
+      words[i] = word.value_or(0);
+    }
+  });
+  if (!exact) return;
+  rgbe_ = std::move(words);
+  rgb_ = nullptr;
+}
+
+std::optional<EnvironmentView> EnvironmentLight::view() const {
+  // Gathers count in 31 bits.
+  const std::int64_t words = std::int64_t{3} * width_ * height_;
+  if (black_ || is_uniform() || words > std::numeric_limits<std::int32_t>::max()) {
+    return std::nullopt;
+  }
+  EnvironmentView view;
+  view.rgb = reinterpret_cast<const float*>(rgb_);
+  view.rgbe = rgbe_.data();
+  view.width = width_, view.height = height_;
+  view.turn = turn_;
+  view.colour = colour_;
+  view.cdfs = distribution_.cdfs();
+  view.guides = distribution_.guides();
+  view.columns = static_cast<std::uint32_t>(distribution_.columns());
+  view.rows = static_cast<std::uint32_t>(distribution_.rows());
+  return view;
+}
+
 void EnvironmentLight::build_distribution() {
   const int columns = std::min(width_, kMostColumns), rows = std::min(height_, kMostRows);
   const auto stride = static_cast<std::size_t>(columns);
   std::vector<float> sums(stride * static_cast<std::size_t>(rows));
-  Vec3d sum;
-  double total = 0;
-  for (int y = 0; y < height_; ++y) {
-    const float sine =
-        sin_cos_turns(0.5f * (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)).sin;
-    const auto row = static_cast<std::size_t>(std::int64_t{y} * rows / height_) * stride;
-    Vec3d of_row;
-    for (int x = 0; x < width_; ++x) {
-      const Vec3f value = texel(x, y);
-      of_row = of_row + Vec3d(value);
-      sums[row + static_cast<std::size_t>(std::int64_t{x} * columns / width_)] +=
-          sine * std::max(luminance(value), 0.0f);
+  struct Row {
+    Vec3d sum;
+    double weight = 0;
+  };
+  std::vector<Row> of_rows(static_cast<std::size_t>(rows));
+  parallel_for_dynamic(of_rows.size(), [&](std::size_t row) {
+    const auto r = static_cast<std::int64_t>(row);
+    const auto first = static_cast<int>((r * height_ + rows - 1) / rows);
+    const auto end = static_cast<int>(((r + 1) * height_ + rows - 1) / rows);
+    for (int y = first; y < end; ++y) {
+      const float sine =
+          sin_cos_turns(0.5f * (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)).sin;
+      Vec3d sum;
+      float* cells = sums.data() + row * stride;
+      for (int x = 0; x < width_; ++x) {
+        const Vec3f value = texel(x, y);
+        sum = sum + Vec3d(value);
+        cells[std::int64_t{x} * columns / width_] += sine * std::max(luminance(value), 0.0f);
+      }
+      of_rows[row].sum = of_rows[row].sum + static_cast<double>(sine) * sum;
+      of_rows[row].weight += static_cast<double>(sine) * width_;
     }
-    sum = sum + static_cast<double>(sine) * of_row;
-    total += static_cast<double>(sine) * width_;
+  });
+  Row whole;
+  for (const Row& row : of_rows) {
+    whole.sum = whole.sum + row.sum;
+    whole.weight += row.weight;
   }
-  mean_ = colour_ * Vec3f(sum / total);
+  mean_ = colour_ * Vec3f(whole.sum / whole.weight);
   distribution_ =
       PiecewiseConstant2d(blurred(sums, columns, rows), stride, static_cast<std::size_t>(rows));
 }

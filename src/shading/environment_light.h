@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "math/vec2.h"
 #include "math/vec3.h"
 #include "scene/scene_view.h"
+#include "shading/environment_view.h"
 #include "shading/piecewise_constant_2d.h"
 #include "shading/texture_set.h"
+#include "util/huge_array.h"
 
 namespace dapple {
 
@@ -18,9 +21,9 @@ struct EnvironmentSample {
   float pdf = 0;  // over solid angle
 };
 
-// Reads images of floats where they lie, so the arrays behind the view must outlive this. Between
-// texels radiance is interpolated; the density of sampling is constant in each cell of a grid that
-// is no finer than the image.
+// Reads images of floats where they lie, so the arrays behind the view must outlive this, unless
+// RGBE can hold them as well. Between texels radiance is interpolated; the density of sampling is
+// constant in each cell of a grid that is no finer than the image.
 class EnvironmentLight {
  public:
   EnvironmentLight() = default;  // black
@@ -36,18 +39,15 @@ class EnvironmentLight {
   bool is_black() const { return black_; }
   Vec3f mean_radiance() const { return mean_; }  // over the sphere
 
+  // No value without a picture, or for one too large for vector code.
+  std::optional<EnvironmentView> view() const;
+
  private:
-  Vec3f texel(int x, int y) const {
-    float t[3];
-    std::memcpy(t,
-                texels_ + 12 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                                static_cast<std::size_t>(x)),
-                sizeof(t));
-    return {t[0], t[1], t[2]};
-  }
-  bool is_uniform() const { return texels_ == nullptr; }
+  Vec3f texel(int x, int y) const;
+  bool is_uniform() const { return rgb_ == nullptr && rgbe_.size() == 0; }
   void use_own_pixels(int width, int height);
   void use_image(const SceneView& scene, const TextureSet& textures);
+  void pack();
   Vec3f lookup(Vec2f uv) const;
   void build_distribution();
 
@@ -56,7 +56,9 @@ class EnvironmentLight {
   Vec3f colour_{1, 1, 1};
   Vec3f mean_;
   int width_ = 0, height_ = 0;
-  const std::uint8_t* texels_ = nullptr;  // three floats each, top row first
+  // See EnvironmentView: one of the two.
+  const std::uint8_t* rgb_ = nullptr;
+  HugeArray<std::uint32_t> rgbe_;
   std::vector<Vec3f> own_pixels_;
   PiecewiseConstant2d distribution_;
 };

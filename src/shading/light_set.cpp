@@ -68,9 +68,22 @@ void LightSet::add_emitters(std::vector<LightBounds>& bounds) {
   add_triangles(bounds);
 }
 
+// What is missed of a dark triangle's light is still found by paths that meet it.
+bool LightSet::triangle_shines(std::uint32_t index) const {
+  const MaterialId material = scene_.triangle_materials[index];
+  if (!materials_->is_emissive(material)) return false;
+  const auto& uvs = scene_.vertices.uvs[materials_->emission_uv_set(material)];
+  std::array<Vec2f, 3> corners;
+  if (!uvs.empty()) {
+    const auto& v = scene_.triangles[index].vertices;
+    corners = {uvs[v[0]], uvs[v[1]], uvs[v[2]]};
+  }
+  return materials_->shines_within(material, corners);
+}
+
 void LightSet::add_triangles(std::vector<LightBounds>& bounds) {
   const auto& materials = scene_.triangle_materials;
-  const auto shines = [&](std::uint32_t i) { return materials_->is_emissive(materials[i]); };
+  const auto shines = [&](std::uint32_t i) { return triangle_shines(i); };
   auto& of_world = near_of_[kind_index(EmitterKind::triangle)];
   const auto in_world = scene_.prototypes.empty() ? static_cast<std::uint32_t>(materials.size())
                                                   : scene_.prototypes.front().first_triangle;
@@ -116,6 +129,10 @@ std::uint32_t LightSet::near_index(const EmitterId& emitter) const {
 
 LightSet::Groups LightSet::groups(const Vec3f& position, const Vec3f& normal) const {
   Groups result;
+  if (tree_.empty() && directional_.empty()) {
+    result.environment = environment_total_ > 0.0f ? 1.0f : 0.0f;
+    return result;
+  }
   if (!tree_.empty()) result.near = tree_.total_importance(position, normal);
   result.directional = directional_total_;
   result.environment = environment_total_;
@@ -128,9 +145,9 @@ LightSet::Groups LightSet::groups(const Vec3f& position, const Vec3f& normal) co
   return {result.near / sum, result.directional / sum, result.environment / sum};
 }
 
-std::optional<LightSample> LightSet::sample(const Vec3f& position, const Vec3f& normal,
-                                            float u_choose, Vec2f u) const {
-  const Groups p = groups(position, normal);
+std::optional<LightSample> LightSet::sample(const Groups& p, const Vec3f& position,
+                                            const Vec3f& normal, float u_choose, Vec2f u,
+                                            const EnvironmentSample& of_environment) const {
   std::optional<LightSample> found;
   float probability = 0;
   if (u_choose < p.near) {
@@ -139,9 +156,10 @@ std::optional<LightSample> LightSet::sample(const Vec3f& position, const Vec3f& 
   } else if (u_choose < p.near + p.directional) {
     probability = p.directional;
     found = sample_directional(position, (u_choose - p.near) / p.directional);
-  } else if (p.environment > 0.0f) {
+  } else if (p.environment > 0.0f && of_environment.pdf > 0.0f) {
     probability = p.environment;
-    found = sample_environment(u);
+    found = LightSample{of_environment.direction, kInfinity, of_environment.radiance,
+                        of_environment.pdf, false};
   }
   if (found) found->pdf *= probability;
   return found;
@@ -176,12 +194,6 @@ std::optional<LightSample> LightSet::sample_directional(const Vec3f& position,
   const auto arrival = directional_[i].at(position);
   const float probability = luminance(directional_[i].intensity()) / directional_total_;
   return LightSample{arrival->wi, arrival->distance, arrival->irradiance, probability, true};
-}
-
-std::optional<LightSample> LightSet::sample_environment(Vec2f u) const {
-  const EnvironmentSample found = environment_.sample(u);
-  if (!(found.pdf > 0.0f)) return std::nullopt;
-  return LightSample{found.direction, kInfinity, found.radiance, found.pdf, false};
 }
 
 float LightSet::pdf_of_hit(const EmitterId& emitter, const Vec3f& position, const Vec3f& normal,

@@ -34,10 +34,22 @@ class LightSet {
  public:
   LightSet(const SceneView& scene, const TextureSet& textures, const MaterialEvaluator& materials);
 
-  // Chooses a light for a point and a direction to it. `normal` is the surface's, on either side,
-  // or zero in a medium. No value when the choice has nothing to give.
+  // Probabilities of asking each group; they sum to 1, or to 0 when there is no light.
+  struct Groups {
+    float near = 0, directional = 0, environment = 0;
+  };
+  // `normal` is the surface's, on either side, or zero in a medium.
+  Groups groups(const Vec3f& position, const Vec3f& normal) const;
+
+  // Chooses a light for a point and a direction to it, where groups(position, normal) and
+  // environment().sample(u) are known. No value when the choice has nothing to give.
+  std::optional<LightSample> sample(const Groups& p, const Vec3f& position, const Vec3f& normal,
+                                    float u_choose, Vec2f u,
+                                    const EnvironmentSample& of_environment) const;
   std::optional<LightSample> sample(const Vec3f& position, const Vec3f& normal, float u_choose,
-                                    Vec2f u) const;
+                                    Vec2f u) const {
+    return sample(groups(position, normal), position, normal, u_choose, u, environment_.sample(u));
+  }
 
   // Density with which sample(position, normal, ...) finds the point of an emitter that lies
   // `distance` along `wi`; `light_normal` is that point's geometric normal, on either side.
@@ -58,20 +70,14 @@ class LightSet {
     EmitterId emitter;
     std::uint32_t lamp = kNone;
   };
-  // Probabilities of asking each group; they sum to 1, or to 0 when there is no light.
-  struct Groups {
-    float near = 0, directional = 0, environment = 0;
-  };
-
   void add_emitters(std::vector<LightBounds>& bounds);
+  bool triangle_shines(std::uint32_t index) const;
   void add_triangles(std::vector<LightBounds>& bounds);
   void add_emitter(const EmitterId& emitter, std::vector<LightBounds>& bounds);
   std::uint32_t near_index(const EmitterId& emitter) const;
-  Groups groups(const Vec3f& position, const Vec3f& normal) const;
   std::optional<LightSample> sample_near(const Vec3f& position, const Vec3f& normal, float u_choose,
                                          Vec2f u) const;
   std::optional<LightSample> sample_directional(const Vec3f& position, float u_choose) const;
-  std::optional<LightSample> sample_environment(Vec2f u) const;
 
   SceneView scene_;
   const MaterialEvaluator* materials_;

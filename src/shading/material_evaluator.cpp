@@ -9,11 +9,19 @@
 namespace dapple {
 
 MaterialEvaluator::MaterialEvaluator(const SceneView& scene, const TextureSet& textures)
-    : scene_(scene), textures_(textures) {}
-
-const LayeredMaterial* MaterialEvaluator::layered(MaterialId material) const {
-  const auto* reference = std::get_if<Layered>(&scene_.materials[index_of(material)]);
-  return reference == nullptr ? nullptr : &scene_.layered_materials[reference->index];
+    : scene_(scene), traits_(scene.materials.size()), textures_(textures) {
+  for (std::size_t i = 0; i < traits_.size(); ++i) {
+    const auto* reference = std::get_if<Layered>(&scene.materials[i]);
+    if (reference == nullptr) continue;
+    const LayeredMaterial& m = scene.layered_materials[reference->index];
+    Traits& traits = traits_[i];
+    traits.layered = &m;
+    traits.plain = !(m.iridescence > 0) && !(m.transmission > 0 && m.dispersion > 0);
+    traits.transparent = m.alpha_mode != AlphaMode::opaque;
+    traits.emissive = max_component(m.emission) > 0;
+    traits.unlit = m.unlit != 0;
+    traits.interior = m.thickness > 0 && (m.transmission > 0 || m.diffuse_transmission > 0);
+  }
 }
 
 Bsdf MaterialEvaluator::make_bsdf(MaterialId material, const SurfaceInteraction& at,
@@ -32,11 +40,6 @@ float MaterialEvaluator::opacity(MaterialId material, const SurfaceInteraction& 
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
-bool MaterialEvaluator::may_be_transparent(MaterialId material) const {
-  const LayeredMaterial* m = layered(material);
-  return m != nullptr && m->alpha_mode != AlphaMode::opaque;
-}
-
 Vec3f MaterialEvaluator::emission(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr || m->emission == Vec3f()) return {};
@@ -44,30 +47,26 @@ Vec3f MaterialEvaluator::emission(MaterialId material, const SurfaceInteraction&
   return m->emission * textures_.lookup(m->map(MapUse::emissive), MapUse::emissive, at).xyz();
 }
 
+bool MaterialEvaluator::shines_within(MaterialId material,
+                                      const std::array<Vec2f, 3>& corners) const {
+  const LayeredMaterial* m = layered(material);
+  return m != nullptr && !textures_.is_black(m->map(MapUse::emissive), MapUse::emissive, corners);
+}
+
+std::uint32_t MaterialEvaluator::emission_uv_set(MaterialId material) const {
+  const LayeredMaterial* m = layered(material);
+  return m == nullptr ? 0 : m->map(MapUse::emissive).uv_set;
+}
+
 Vec3f MaterialEvaluator::greatest_emission(MaterialId material) const {
   const LayeredMaterial* m = layered(material);
   return m == nullptr ? Vec3f() : m->emission;
-}
-
-bool MaterialEvaluator::is_emissive(MaterialId material) const {
-  const LayeredMaterial* m = layered(material);
-  return m != nullptr && (max_component(m->emission) > 0);
-}
-
-bool MaterialEvaluator::is_unlit(MaterialId material) const {
-  const LayeredMaterial* m = layered(material);
-  return m != nullptr && m->unlit != 0;
 }
 
 Vec3f MaterialEvaluator::unlit_colour(MaterialId material, const SurfaceInteraction& at) const {
   const LayeredMaterial* m = layered(material);
   if (m == nullptr) return {};
   return base_colour(*m, at, textures_).xyz();
-}
-
-bool MaterialEvaluator::has_interior(MaterialId material) const {
-  const LayeredMaterial* m = layered(material);
-  return m != nullptr && m->thickness > 0 && (m->transmission > 0 || m->diffuse_transmission > 0);
 }
 
 Medium MaterialEvaluator::interior(MaterialId material) const {

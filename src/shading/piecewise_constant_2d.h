@@ -26,6 +26,12 @@ class PiecewiseConstant2d {
   Sample sample(Vec2f u) const;
   float pdf(Vec2f point) const;
 
+  // The tables as vector code reads them, see below.
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }
+  const float* cdfs() const { return cdfs_.data(); }
+  const std::uint32_t* guides() const { return guides_.data(); }
+
  private:
   std::span<const float> cdf_of_row(std::size_t y) const;
   std::span<const std::uint32_t> guides_of_row(std::size_t y) const;

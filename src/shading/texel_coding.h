@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "math/float4.h"
 #include "math/vec4.h"
 #include "scene/texture.h"
 
@@ -56,6 +57,16 @@ class TexelReader {
       std::uint16_t t[4];
       std::memcpy(t, texels + 8 * index, sizeof(t));
       return decode(t, 1.0f / 65535);
+    }
+  }
+
+  // The same for arithmetic on all four.
+  Float4 four(const std::uint8_t* texels, std::size_t index) const {
+    if constexpr (coding == TexelCoding::rgba8_linear) {
+      return Float4::of_bytes(texels + 4 * index) * Float4::all(1.0f / 255);
+    } else {
+      const Vec4f t = (*this)(texels, index);
+      return Float4::of(t.x, t.y, t.z, t.w);
     }
   }
 

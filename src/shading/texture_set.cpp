@@ -15,7 +15,8 @@ std::int32_t wrapped(std::int32_t i, std::int32_t n, Wrap wrap) {
   if (i >= 0 && i < n) return i;
   if (wrap == Wrap::clamp_to_edge) return i < 0 ? 0 : n - 1;
   const std::int32_t period = wrap == Wrap::repeat ? n : 2 * n;
-  std::int32_t k = i % period;
+  // Most sizes are powers of two, for which a mask does what a slow division would.
+  std::int32_t k = (period & (period - 1)) == 0 ? i & (period - 1) : i % period;
   if (k < 0) k += period;
   return k < n ? k : 2 * n - 1 - k;
 }
@@ -23,9 +24,15 @@ std::int32_t wrapped(std::int32_t i, std::int32_t n, Wrap wrap) {
 // Keeps coordinates where texels can be counted; what is not a number becomes 0.
 float bounded(float x) { return x > -1e6f ? std::min(x, 1e6f) : x <= -1e6f ? -1e6f : 0.0f; }
 
-Vec4f lerp(Vec4f a, Vec4f b, float t) { return (1.0f - t) * a + t * b; }
+Float4 lerp(Float4 a, Float4 b, float t) { return Float4::all(1.0f - t) * a + Float4::all(t) * b; }
 
-Vec4f sample_level(const MipLevel& level, const Texture& texture, Vec2f uv) {
+Vec4f numbers_of(Float4 f) {
+  Vec4f v;
+  f.store(&v.x);
+  return v;
+}
+
+Float4 sample_level(const MipLevel& level, const Texture& texture, Vec2f uv) {
   const auto width = static_cast<float>(level.width), height = static_cast<float>(level.height);
   const bool nearest = texture.filter == Filter::nearest;
   const float offset = nearest ? 0.0f : 0.5f;
@@ -40,12 +47,12 @@ Vec4f sample_level(const MipLevel& level, const Texture& texture, Vec2f uv) {
   };
   return with_reader(level.coding, [&](const auto& read) {
     const std::size_t row0 = row(j), column0 = column(i);
-    if (nearest) return read(level.texels, row0 + column0);
+    if (nearest) return read.four(level.texels, row0 + column0);
     const std::size_t row1 = row(j + 1), column1 = column(i + 1);
     const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
-    return lerp(lerp(read(level.texels, row0 + column0), read(level.texels, row0 + column1), fx),
-                lerp(read(level.texels, row1 + column0), read(level.texels, row1 + column1), fx),
-                fy);
+    const auto at = [&](std::size_t index) { return read.four(level.texels, index); };
+    return lerp(lerp(at(row0 + column0), at(row0 + column1), fx),
+                lerp(at(row1 + column0), at(row1 + column1), fx), fy);
   });
 }
 
@@ -117,16 +124,58 @@ Vec4f TextureSet::lookup(const TextureSlot& slot, MapUse use, const SurfaceInter
   const MipLevel* levels = levels_.data() + pyramid->first_level;
   const float footprint = at.cone_width * at.uv_per_length[slot.uv_set];
   if (!(footprint > 1e-12f) || texture.filter == Filter::nearest) {
-    return sample_level(levels[0], texture, uv);
+    return numbers_of(sample_level(levels[0], texture, uv));
   }
   const float level =
       fast_log2(std::max(footprint * scale_of(slot), 1e-30f)) + pyramid->log2_size + kLevelBias;
-  if (!(level > 0.0f)) return sample_level(levels[0], texture, uv);
+  if (!(level > 0.0f)) return numbers_of(sample_level(levels[0], texture, uv));
   const auto last = static_cast<float>(pyramid->level_count - 1);
-  if (level >= last) return sample_level(levels[pyramid->level_count - 1], texture, uv);
+  if (level >= last) {
+    return numbers_of(sample_level(levels[pyramid->level_count - 1], texture, uv));
+  }
   const auto finer = static_cast<std::size_t>(level);
-  return lerp(sample_level(levels[finer], texture, uv),
-              sample_level(levels[finer + 1], texture, uv), level - static_cast<float>(finer));
+  return numbers_of(lerp(sample_level(levels[finer], texture, uv),
+                         sample_level(levels[finer + 1], texture, uv),
+                         level - static_cast<float>(finer)));
+}
+
+bool TextureSet::is_black(const TextureSlot& slot, MapUse use,
+                          const std::array<Vec2f, 3>& corners) const {
+  const Pyramid* pyramid = pyramid_of(slot, use);
+  if (pyramid == nullptr) return false;
+  const Texture& texture = textures_[static_cast<std::size_t>(slot.texture)];
+  Vec2f lo = moved(slot, corners[0]), hi = lo;
+  for (const Vec2f corner : {moved(slot, corners[1]), moved(slot, corners[2])}) {
+    lo = {std::min(lo.x, corner.x), std::min(lo.y, corner.y)};
+    hi = {std::max(hi.x, corner.x), std::max(hi.y, corner.y)};
+  }
+  // The finest level at which there are few texels to look at.
+  constexpr float kMostTexels = 8;
+  const MipLevel* level = levels_.data() + pyramid->first_level;
+  for (std::uint32_t i = 1; i < pyramid->level_count; ++i, ++level) {
+    const float columns = (hi.x - lo.x) * static_cast<float>(level->width);
+    const float rows = (hi.y - lo.y) * static_cast<float>(level->height);
+    if (std::max(columns, rows) <= kMostTexels) break;
+  }
+  // With those that are interpolated with.
+  const auto first = [](float x, std::int32_t n) {
+    return floor_to_int(x * static_cast<float>(n) - 0.5f);
+  };
+  const std::int32_t i0 = first(lo.x, level->width), j0 = first(lo.y, level->height);
+  const std::int32_t columns = std::min(first(hi.x, level->width) + 2 - i0, 2 * level->width);
+  const std::int32_t rows = std::min(first(hi.y, level->height) + 2 - j0, 2 * level->height);
+  return with_reader(level->coding, [&](const auto& read) {
+    for (std::int32_t j = j0; j < j0 + rows; ++j) {
+      const auto row = static_cast<std::size_t>(wrapped(j, level->height, texture.wrap_v)) *
+                       static_cast<std::size_t>(level->width);
+      for (std::int32_t i = i0; i < i0 + columns; ++i) {
+        const auto column = static_cast<std::size_t>(wrapped(i, level->width, texture.wrap_u));
+        const Vec4f t = read(level->texels, row + column);
+        if (t.x > 0 || t.y > 0 || t.z > 0) return false;
+      }
+    }
+    return true;
+  });
 }
 
 Vec4f TextureSet::mean(const TextureSlot& slot, MapUse use) const {

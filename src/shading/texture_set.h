@@ -27,6 +27,10 @@ class TextureSet {
   // The mean over the whole image, to the precision of its texels.
   Vec4f mean(const TextureSlot& slot, MapUse use) const;
 
+  // Whether the map is black all over a triangle of texture coordinates, as far as the levels tell
+  // that are coarse enough to be read quickly.
+  bool is_black(const TextureSlot& slot, MapUse use, const std::array<Vec2f, 3>& corners) const;
+
   // Level 0 of an image at integer coordinates, which must be inside. `colour` as is_colour_map().
   Vec4f texel(ImageId image, bool colour, std::uint32_t x, std::uint32_t y) const;
 
