@@ -50,12 +50,14 @@ world.node_tree.links.new(background.outputs[0], output.inputs[0])
 
 render = scene.render
 render.engine = "CYCLES"
-scene.cycles.samples = job["spp"]
+scene.cycles.samples, scene.cycles.seed = job["spp"], job["seed"]
 scene.cycles.use_denoising = False
 scene.cycles.use_adaptive_sampling = False
 render.film_transparent = True
 render.threads_mode, render.threads = "FIXED", job["threads"]
 render.resolution_x, render.resolution_y, render.resolution_percentage = width, height, 100
-render.image_settings.file_format = "PNG"
+render.image_settings.file_format = "OPEN_EXR" if job["output"].endswith(".exr") else "PNG"
+if job["output"].endswith(".exr"):
+    render.image_settings.color_depth = "32"
 render.filepath = job["output"]
 bpy.ops.render.render(write_still=True)
