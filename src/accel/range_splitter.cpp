@@ -73,6 +73,7 @@ void RangeSplitter::write_leaf(const PrimRange& range, LeafRow* leaf) const {
 }
 
 void RangeSplitter::forget(const PrimRange& range) noexcept {
+  if (!gives_back()) return;
   prims_.forget(range.begin, range.end);
   if (scratch_.size() != 0) scratch_.forget(range.begin, range.end);
 }

@@ -17,6 +17,9 @@ enum class SplitBy {
   number,  // in half, for trees that are getting too deep
 };
 
+// Primitives from which on a build takes more memory than one wants to see twice.
+inline constexpr std::size_t kGivesBackFrom = std::size_t{1} << 22;
+
 class RangeSplitter {
  public:
   // Of those primitives of the scene, which must outlive this, as must the boxes of prototypes.
@@ -36,7 +39,9 @@ class RangeSplitter {
   ShapeKind leaf_kind(const PrimRange& range) const { return kind_of(prims_[range.begin].id); }
   void write_leaf(const PrimRange& range, LeafRow* leaf) const;
 
-  // Gives the memory of a range back whose leaves are all written.
+  // Gives the memory of a range back whose leaves are all written, in builds so large that this is
+  // worth a tenth of their time.
+  bool gives_back() const { return prims_.size() >= kGivesBackFrom; }
   void forget(const PrimRange& range) noexcept;
 
  private:

@@ -129,7 +129,7 @@ void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
 // Joins the fragments, tree after tree and depth first, into the finished arrays.
 class Joiner {
  public:
-  explicit Joiner(std::vector<Fragment>& roots) {
+  Joiner(std::vector<Fragment>& roots, bool gives_back) : gives_back_(gives_back) {
     for (Fragment& root : roots) place(root);
   }
 
@@ -165,7 +165,7 @@ class Joiner {
     return ChildRef::node(fragment.children[child.node_index()]->first_node);
   }
 
-  static void take(Fragment& fragment, WideBvh& bvh) {
+  void take(Fragment& fragment, WideBvh& bvh) const {
     std::copy(fragment.rows.begin(), fragment.rows.end(), bvh.rows.data() + fragment.first_row);
     WideNode* to = bvh.nodes.data() + fragment.first_node;
     for (const WideNode& node : fragment.nodes) {
@@ -173,12 +173,13 @@ class Joiner {
       for (ChildRef& child : to->children) child = moved(child, fragment);
       ++to;
     }
-    // An allocator would keep the memory for later; the system needs it now, for the result.
-    forget_pages(fragment.rows.data(), fragment.rows.size() * sizeof(LeafRow));
+    // An allocator would keep the memory for later; in a large build the result needs it now.
+    if (gives_back_) forget_pages(fragment.rows.data(), fragment.rows.size() * sizeof(LeafRow));
     fragment.rows = {};
     fragment.nodes = {};
   }
 
+  bool gives_back_;
   std::vector<Fragment*> fragments_;
   std::size_t node_count_ = 0, row_count_ = 0;
 };
@@ -207,7 +208,8 @@ WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times, BvhQuality qu
   WideBvh bvh;
   const auto build = [&] {
     std::vector<Fragment> roots = build_trees(scene, quality);
-    bvh = Joiner(roots).join();
+    const std::size_t count = scene.object_count() + scene.triangles.size();
+    bvh = Joiner(roots, count >= kGivesBackFrom).join();
   };
   run_with_tasks(scene.object_count() + scene.triangles.size(), build, times);
   return bvh;

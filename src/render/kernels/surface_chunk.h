@@ -24,7 +24,7 @@ struct alignas(64) SurfaceChunk {
   using Floats = float[kStride];
   using Vectors = float[3][kStride];
 
-  Vectors origin = {}, direction = {};  // of the ray
+  Vectors origin = {}, direction = {};   // of the ray
   std::uint32_t lane[kStride] = {};      // lower half of the hit's LeafRef
   std::uint32_t triangle[kStride] = {};  // number in the scene's array
 
