@@ -11,9 +11,7 @@ numbers of samples that are rendered time is interpolated by powers. Printed is 
 dapple's to the error that Blender has at 16 samples, for the rendering alone and for the command.
 Needs what race.py needs, and the Python packages numpy and OpenEXR.
 """
-import argparse
 import json
-import pathlib
 import tempfile
 
 import numpy as np
@@ -56,15 +54,8 @@ def time_to(error, points, key):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("scenarios", type=pathlib.Path)
-    parser.add_argument("--models", type=pathlib.Path, required=True)
-    parser.add_argument("--dapple", default="dapple")
-    parser.add_argument("--only", action="append", default=[])
-    parser.add_argument("--size", type=int, default=256)
+    parser = race.parser_of(__doc__.split("\n")[0], size=256, threads=2)
     parser.add_argument("--reference-spp", type=int, default=1024)
-    parser.add_argument("--threads", type=int, default=2)
-    parser.add_argument("--json", type=pathlib.Path)
     arguments = parser.parse_args()
     arguments.spp = None
     results = []

@@ -84,17 +84,23 @@ def chosen(arguments):
             yield scenario
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+def parser_of(description, size, threads):
+    """What every comparison asks for: scenarios and how to render them."""
+    parser = argparse.ArgumentParser(description=description)
     parser.add_argument("scenarios", type=pathlib.Path)
     parser.add_argument("--models", type=pathlib.Path, required=True)
     parser.add_argument("--dapple", default="dapple")
     parser.add_argument("--only", action="append", default=[])
-    parser.add_argument("--size", type=int, default=512)
-    parser.add_argument("--spp", type=int, default=16)
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--size", type=int, default=size)
+    parser.add_argument("--threads", type=int, default=threads)
     parser.add_argument("--json", type=pathlib.Path)
+    return parser
+
+
+def main():
+    parser = parser_of(__doc__.split("\n")[0], size=512, threads=1)
+    parser.add_argument("--spp", type=int, default=16)
+    parser.add_argument("--repeat", type=int, default=5)
     arguments = parser.parse_args()
     results = []
     print("scenario                       whole   cpu  render samples  memory   (Blender / dapple)")
