@@ -116,9 +116,9 @@ HWY_INLINE LaneHits enter_triangle_boxes(const PreparedRay& ray, const LeafRow* 
   for (int axis = 0; axis < 3; ++axis) {
     const auto row = static_cast<std::size_t>(axis);
     const FloatVec lo = least_of(leaf, row, i), hi = greatest_of(leaf, row, i);
-    const bool up = ray.inverse[axis] >= 0.0f;
-    near = hn::Max(near, meet(up ? lo : hi, ray, axis));
-    far = hn::Min(far, meet_far(up ? hi : lo, ray, axis));
+    const FloatMask up = hn::Ge(all(ray.inverse[axis]), hn::Zero(Floats()));
+    near = hn::Max(near, meet(hn::IfThenElse(up, lo, hi), ray, axis));
+    far = hn::Min(far, meet_far(hn::IfThenElse(up, hi, lo), ray, axis));
   }
   const FloatVec t = hn::Max(hits.t, near);
   const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
