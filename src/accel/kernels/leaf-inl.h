@@ -53,32 +53,47 @@ HWY_INLINE LaneHits enter_sphere_boxes(const PreparedRay& ray, FloatVec cx, Floa
   return {hn::And(hits.mask, inside), t};
 }
 
+// Spheres of which the ray's line passes those of the mask: where it is nearest to their centres,
+// and the square of half the chord that they cut from it.
+struct PassedSpheres {
+  FloatMask mask;
+  FloatVec t_mid, discriminant;
+};
+
 // Spheres [i, i + kLanes) of a leaf.
-HWY_INLINE LaneHits intersect_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                      float t_best) {
-  const Floats d;
-  const FloatVec cx = load_row(leaf, 0, i), cy = load_row(leaf, 1, i);
-  const FloatVec cz = load_row(leaf, 2, i), radius = load_row(leaf, 3, i);
-  const FloatVec ox = hn::Sub(all(ray.origin[0]), cx);
-  const FloatVec oy = hn::Sub(all(ray.origin[1]), cy);
-  const FloatVec oz = hn::Sub(all(ray.origin[2]), cz);
+HWY_INLINE PassedSpheres pass_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i) {
+  const FloatVec radius = load_row(leaf, 3, i);
+  const FloatVec ox = hn::Sub(all(ray.origin[0]), load_row(leaf, 0, i));
+  const FloatVec oy = hn::Sub(all(ray.origin[1]), load_row(leaf, 1, i));
+  const FloatVec oz = hn::Sub(all(ray.origin[2]), load_row(leaf, 2, i));
   const FloatVec dx = all(ray.direction[0]), dy = all(ray.direction[1]), dz = all(ray.direction[2]);
-  const FloatVec inverse_dot = all(ray.inverse_dot), t_min = all(ray.t_min), t_max = all(t_best);
   const FloatVec along = hn::Add(hn::Add(hn::Mul(ox, dx), hn::Mul(oy, dy)), hn::Mul(oz, dz));
-  const FloatVec t_mid = hn::Neg(hn::Mul(along, inverse_dot));
+  const FloatVec t_mid = hn::Neg(hn::Mul(along, all(ray.inverse_dot)));
   const FloatVec px = hn::Add(ox, hn::Mul(t_mid, dx));
   const FloatVec py = hn::Add(oy, hn::Mul(t_mid, dy));
   const FloatVec pz = hn::Add(oz, hn::Mul(t_mid, dz));
   const FloatVec squared = hn::Add(hn::Add(hn::Mul(px, px), hn::Mul(py, py)), hn::Mul(pz, pz));
   const FloatVec discriminant = hn::Sub(hn::Mul(radius, radius), squared);
-  FloatMask mask = hn::Gt(discriminant, hn::Zero(d));
-  if (hn::AllFalse(d, mask)) return {mask, t_mid};
-  const FloatVec half_chord = hn::Sqrt(hn::Mul(discriminant, inverse_dot));
-  const FloatVec first = hn::Sub(t_mid, half_chord);
-  const FloatVec second = hn::Add(t_mid, half_chord);
+  return {hn::Gt(discriminant, hn::Zero(Floats())), t_mid, discriminant};
+}
+
+HWY_INLINE LaneHits enter_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                  const PassedSpheres& passed, float t_best) {
+  const FloatVec t_min = all(ray.t_min), t_max = all(t_best);
+  const FloatVec half_chord = hn::Sqrt(hn::Mul(passed.discriminant, all(ray.inverse_dot)));
+  const FloatVec first = hn::Sub(passed.t_mid, half_chord);
+  const FloatVec second = hn::Add(passed.t_mid, half_chord);
   const FloatVec t = hn::IfThenElse(hn::Ge(first, t_min), first, second);
-  mask = hn::And(mask, hn::And(hn::Ge(t, t_min), hn::Le(t, t_max)));
-  return enter_sphere_boxes(ray, cx, cy, cz, radius, {mask, t}, t_max);
+  const FloatMask mask = hn::And(passed.mask, hn::And(hn::Ge(t, t_min), hn::Le(t, t_max)));
+  return enter_sphere_boxes(ray, load_row(leaf, 0, i), load_row(leaf, 1, i), load_row(leaf, 2, i),
+                            load_row(leaf, 3, i), {mask, t}, t_max);
+}
+
+HWY_INLINE LaneHits intersect_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                      float t_best) {
+  const PassedSpheres passed = pass_spheres(ray, leaf, i);
+  if (hn::AllFalse(Floats(), passed.mask)) return {passed.mask, passed.t_mid};
+  return enter_spheres(ray, leaf, i, passed, t_best);
 }
 
 // Rectangles [i, i + kLanes) of a leaf.
@@ -139,11 +154,17 @@ HWY_INLINE SeenVertex see_vertex(const PreparedRay& ray, const LeafRow* leaf, st
   return {hn::Sub(x, hn::Mul(all(ray.shear[0]), z)), hn::Sub(y, hn::Mul(all(ray.shear[1]), z)), z};
 }
 
+// Triangles of which the ray's line passes those of the mask: the weights of their vertices where
+// it does, not scaled to a sum of one, and the vertices' z.
+struct PassedTriangles {
+  FloatMask mask;
+  FloatVec weights[3], z[3];
+};
+
 // Triangles [i, i + kLanes) of a leaf.
-HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                        float t_best) {
-  const Floats d;
-  const FloatVec zero = hn::Zero(d);
+HWY_INLINE PassedTriangles pass_triangles(const PreparedRay& ray, const LeafRow* leaf,
+                                          std::size_t i) {
+  const FloatVec zero = hn::Zero(Floats());
   const SeenVertex a = see_vertex(ray, leaf, 0, i);
   const SeenVertex b = see_vertex(ray, leaf, 3, i);
   const SeenVertex c = see_vertex(ray, leaf, 6, i);
@@ -153,17 +174,28 @@ HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* l
   const FloatVec sum = hn::Add(hn::Add(u0, u1), u2);
   const FloatMask inside = hn::Or(hn::Ge(hn::Min(hn::Min(u0, u1), u2), zero),
                                   hn::Le(hn::Max(hn::Max(u0, u1), u2), zero));
-  FloatMask mask = hn::And(inside, hn::Gt(hn::Abs(sum), zero));
-  if (hn::AllFalse(d, mask)) return {mask, zero};
+  return {hn::And(inside, hn::Gt(hn::Abs(sum), zero)), {u0, u1, u2}, {a.z, b.z, c.z}};
+}
+
+HWY_INLINE LaneHits enter_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                    const PassedTriangles& passed, float t_best) {
+  const auto& u = passed.weights;
+  const FloatVec sum = hn::Add(hn::Add(u[0], u[1]), u[2]);
   const FloatVec scale = hn::Div(all(1.0f), sum);
-  const FloatVec z =
-      hn::Add(hn::Add(hn::Mul(hn::Mul(u0, scale), a.z), hn::Mul(hn::Mul(u1, scale), b.z)),
-              hn::Mul(hn::Mul(u2, scale), c.z));
+  const FloatVec z = hn::Add(hn::Add(hn::Mul(hn::Mul(u[0], scale), passed.z[0]),
+                                     hn::Mul(hn::Mul(u[1], scale), passed.z[1])),
+                             hn::Mul(hn::Mul(u[2], scale), passed.z[2]));
   const FloatVec t = hn::Mul(z, all(ray.inverse[ray.axis]));
   const FloatVec t_max = all(t_best);
-  mask = hn::And(mask, hn::And(hn::Ge(t, all(ray.t_min)), hn::Le(t, t_max)));
-  if (hn::AllFalse(d, mask)) return {mask, t};
+  const FloatMask mask = hn::And(passed.mask, hn::And(hn::Ge(t, all(ray.t_min)), hn::Le(t, t_max)));
   return enter_triangle_boxes(ray, leaf, i, {mask, t}, t_max);
+}
+
+HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
+                                        float t_best) {
+  const PassedTriangles passed = pass_triangles(ray, leaf, i);
+  if (hn::AllFalse(Floats(), passed.mask)) return {passed.mask, passed.z[0]};
+  return enter_triangles(ray, leaf, i, passed, t_best);
 }
 
 // Instances [i, i + kLanes) of a leaf: where the ray enters their boxes.

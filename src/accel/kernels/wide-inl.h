@@ -6,6 +6,7 @@
 // never control flow.
 #include "accel/kernels/dispatch.h"
 #include "accel/kernels/packet-inl.h"
+#include "accel/kernels/passed-inl.h"
 #include "accel/kernels/search-inl.h"
 
 #if defined(DAPPLE_KERNELS_WIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -69,6 +70,28 @@ struct Singles {
   HWY_INLINE bool any_left() const { return next < count; }
 };
 
+template <LeafKinds kKinds, bool kAnyHit>
+HWY_INLINE void visit_leaves(const WideView& bvh, const Worklists& lists, Search* searches) {
+  if constexpr (kKinds == LeafKinds::any) {
+    for (std::size_t i = 0; i < lists.leaf_count; ++i) {
+      Search& search = searches[lists.at_leaf[i]];
+      intersect_leaf<kKinds>(search.ray, search.current.leaf_ref(), bvh.rows.data(),
+                             InsideTree<kAnyHit>{bvh}, search.best);
+      if (kAnyHit && search.best.prim != kNoPrim) clear(search.pending);
+    }
+  } else {
+    Passed passed[kInFlight * kVecsOfLeaf + 1];
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < lists.leaf_count; ++i) {
+      const std::size_t id = lists.at_leaf[i];
+      count += pass_leaf<kKinds>(searches[id], id, bvh.rows.data(), passed + count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      finish_leaf<kKinds, kAnyHit>(passed[i], bvh.rows.data(), searches[passed[i].search]);
+    }
+  }
+}
+
 template <LeafKinds kKinds, class Job>
 HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, Singles& singles) {
   constexpr bool kAnyHit = Job::kAnyHit;
@@ -89,12 +112,7 @@ HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, Singles& si
       Search& search = searches[now->at_node[i]];
       visit_node<kAnyHit>(bvh.nodes[search.current.node_index()], search);
     }
-    for (std::size_t i = 0; i < now->leaf_count; ++i) {
-      Search& search = searches[now->at_leaf[i]];
-      intersect_leaf<kKinds>(search.ray, search.current.leaf_ref(), bvh.rows.data(),
-                             InsideTree<kAnyHit>{bvh}, search.best);
-      if (kAnyHit && search.best.prim != kNoPrim) clear(search.pending);
-    }
+    visit_leaves<kKinds, kAnyHit>(bvh, *now, searches);
     next->node_count = next->leaf_count = next->ended_count = 0;
     for (std::size_t i = 0; i < now->node_count; ++i) {
       advance<kAnyHit>(bvh, searches[now->at_node[i]], now->at_node[i], *next);
