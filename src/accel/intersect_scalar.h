@@ -123,14 +123,15 @@ inline float intersect_triangle(const PreparedRay& ray, const float v[9], float 
   const float* ahead = weights.ahead;
   const float z = ((u0 * scale) * ahead[0] + (u1 * scale) * ahead[1]) + (u2 * scale) * ahead[2];
   const float t = z * ray.inverse[ray.axis];
-  if (!(t >= ray.t_min && t <= t_max)) return kMiss;
+  if (!(t >= ray.t_min)) return kMiss;
   float lo[3], hi[3];
   for (int axis = 0; axis < 3; ++axis) {
     lo[axis] = smaller(smaller(v[axis], v[3 + axis]), v[6 + axis]);
     hi[axis] = larger(larger(v[axis], v[3 + axis]), v[6 + axis]);
   }
+  // Where a long thin triangle is seen from its edge, its box knows the distance better.
   const Slab box = padded_interval(ray, lo, hi);
-  const float clamped = larger(t, box.near);
+  const float clamped = smaller(larger(t, box.near), box.far);
   return box.near <= box.far && clamped <= t_max ? clamped : kMiss;
 }
 

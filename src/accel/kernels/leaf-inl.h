@@ -135,7 +135,7 @@ HWY_INLINE LaneHits enter_triangle_boxes(const PreparedRay& ray, const LeafRow* 
     near = hn::Max(near, meet(hn::IfThenElse(up, lo, hi), ray, axis));
     far = hn::Min(far, meet_far(hn::IfThenElse(up, hi, lo), ray, axis));
   }
-  const FloatVec t = hn::Max(hits.t, near);
+  const FloatVec t = hn::Min(hn::Max(hits.t, near), far);
   const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
   return {hn::And(hits.mask, inside), t};
 }
@@ -186,9 +186,8 @@ HWY_INLINE LaneHits enter_triangles(const PreparedRay& ray, const LeafRow* leaf,
                                      hn::Mul(hn::Mul(u[1], scale), passed.z[1])),
                              hn::Mul(hn::Mul(u[2], scale), passed.z[2]));
   const FloatVec t = hn::Mul(z, all(ray.inverse[ray.axis]));
-  const FloatVec t_max = all(t_best);
-  const FloatMask mask = hn::And(passed.mask, hn::And(hn::Ge(t, all(ray.t_min)), hn::Le(t, t_max)));
-  return enter_triangle_boxes(ray, leaf, i, {mask, t}, t_max);
+  const FloatMask mask = hn::And(passed.mask, hn::Ge(t, all(ray.t_min)));
+  return enter_triangle_boxes(ray, leaf, i, {mask, t}, all(t_best));
 }
 
 HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,

@@ -119,8 +119,7 @@ HWY_INLINE LaneHits meet_triangle(const Packet& packet, std::size_t i, const Pac
               hn::Mul(hn::Mul(u2, scale), z[2]));
   const FloatVec raw = hn::Mul(ahead, load_floats(packet.inverse[kz] + i));
   const FloatVec t_min = load_floats(packet.t_min + i), t_max = load_floats(packet.best_t + i);
-  mask = hn::And(mask, hn::And(hn::Ge(raw, t_min), hn::Le(raw, t_max)));
-  if (hn::AllFalse(d, mask)) return {mask, raw};
+  mask = hn::And(mask, hn::Ge(raw, t_min));
   FloatVec near = t_min, far = all(Bounds3f::kInfinity);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto least = [](float a, float b) { return a < b ? a : b; };
@@ -133,7 +132,7 @@ HWY_INLINE LaneHits meet_triangle(const Packet& packet, std::size_t i, const Pac
     near = hn::Max(near, hn::Mul(hn::Sub(all(up ? lo : hi), o), inverse));
     far = hn::Min(far, hn::Mul(hn::Sub(all(up ? hi : lo), o), hn::Mul(inverse, all(kFarPad))));
   }
-  const FloatVec t = hn::Max(raw, near);
+  const FloatVec t = hn::Min(hn::Max(raw, near), far);
   return {hn::And(mask, hn::And(hn::Le(near, far), hn::Le(t, t_max))), t};
 }
 
