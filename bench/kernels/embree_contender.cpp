@@ -2,11 +2,22 @@
 
 #include <fmt/format.h>
 
+#include "accel/kernels/dispatch.h"
 #include "kernels/embree_geometry.h"
 #include "kernels/embree_tracers.h"
 #include "parallel/parallel.h"
 
 namespace dapple::bench {
+namespace {
+
+// Where dapple is held to an instruction set, Embree is held to the same.
+std::string_view isa_setting() {
+  const std::string_view isa = kernels().isa;
+  if (isa == "avx2") return ",isa=avx2";
+  return isa == "sse4" ? ",isa=sse4.2" : "";
+}
+
+}  // namespace
 
 bool EmbreeContender::count_bytes(void* self, ssize_t bytes, bool) {
   static_cast<EmbreeContender*>(self)->bytes_ += bytes;
@@ -16,7 +27,8 @@ bool EmbreeContender::count_bytes(void* self, ssize_t bytes, bool) {
 // The affinity of its threads is left to us; a device of one thread builds on the calling one.
 void EmbreeContender::build(const SceneView& scene) {
   discard();
-  device_ = rtcNewDevice(fmt::format("threads={},set_affinity=0", thread_count()).c_str());
+  device_ = rtcNewDevice(
+      fmt::format("threads={},set_affinity=0{}", thread_count(), isa_setting()).c_str());
   rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
   scene_ = rtcNewScene(device_);
   rtcSetSceneBuildQuality(scene_, quality_);
