@@ -34,7 +34,8 @@ camera.data.lens_unit = "FOV"
 aspect = width / height
 vertical = math.radians(45)
 camera.data.angle = 2 * math.atan(math.tan(vertical / 2) * aspect) if aspect > 1 else vertical
-camera.data.clip_start, camera.data.clip_end = radius / 1000, radius * 1000
+# What dapple sees: all there is, even where the orbit's radius is nearly nothing.
+camera.data.clip_start, camera.data.clip_end = radius / 1000, max(radius, 1) * 1000
 scene.camera = camera
 
 world = bpy.data.worlds.new("world")
