@@ -5,6 +5,7 @@
 #include "image/decoding.h"
 #include "image/hdr.h"
 #include "image/rgbe.h"
+#include "parallel/parallel.h"
 
 namespace dapple {
 namespace {
@@ -65,28 +66,41 @@ class LineReader {
       : bytes_(bytes), position_(position) {}
 
   Status read(std::span<Rgbe> line) {
-    if (bytes_.size() - position_ < 4) return ends_early();
-    const bool encoded = is_run_width(line.size()) && byte(0) == 2 && byte(1) == 2 && byte(2) < 128;
-    return encoded ? read_encoded(line) : read_old(line);
+    return for_line(
+        line.size(), [&] { return read_encoded<true>(line); }, line);
   }
+  // Proves the line without keeping it; `scratch` is as wide.
+  Status skip(std::span<Rgbe> scratch) {
+    return for_line(
+        scratch.size(), [&] { return read_encoded<false>(scratch); }, scratch);
+  }
+  std::size_t position() const { return position_; }
 
  private:
+  template <class Encoded>
+  Status for_line(std::size_t width, Encoded encoded_line, std::span<Rgbe> line) {
+    if (bytes_.size() - position_ < 4) return ends_early();
+    const bool encoded = is_run_width(width) && byte(0) == 2 && byte(1) == 2 && byte(2) < 128;
+    return encoded ? encoded_line() : read_old(line);
+  }
   std::uint8_t byte(std::size_t ahead) const {
     return std::to_integer<std::uint8_t>(bytes_[position_ + ahead]);
   }
   Status ends_early() const { return bad_byte(bytes_.size(), "the file ends within its pixels"); }
 
+  template <bool keep>
   Status read_encoded(std::span<Rgbe> line) {
     if ((std::size_t{byte(2)} << 8 | byte(3)) != line.size()) {
       return bad_byte(position_ + 2, "a scan line has another width than the picture");
     }
     position_ += 4;
     for (std::size_t c = 0; c < 4; ++c) {
-      if (auto read = read_component(line, c); !read) return read;
+      if (auto read = read_component<keep>(line, c); !read) return read;
     }
     return {};
   }
 
+  template <bool keep>
   Status read_component(std::span<Rgbe> line, std::size_t c) {
     std::size_t x = 0;
     while (x < line.size()) {
@@ -98,7 +112,10 @@ class LineReader {
       }
       ++position_;
       if (!run && bytes_.size() - position_ < length) return ends_early();
-      for (std::size_t i = 0; i < length; ++i, ++x) line[x][c] = byte(run ? 0 : i);
+      if constexpr (keep) {
+        for (std::size_t i = 0; i < length; ++i) line[x + i][c] = byte(run ? 0 : i);
+      }
+      x += length;
       position_ += run ? 1 : length;
     }
     return {};
@@ -133,6 +150,8 @@ class LineReader {
   std::size_t position_;
 };
 
+constexpr std::size_t kLinesAtOnce = 16;
+
 // The least that a whole file can have: the old encoding repeats whole lines with a few bytes, but
 // nothing sensible repeats more than 4096 pixels with one.
 std::uint64_t least_bytes(const Header& header) {
@@ -151,17 +170,29 @@ Expected<Image> decode_hdr(std::span<const std::byte> bytes, const ImageReadOpti
                               bytes.size(), options);
   if (!image) return image;
 
-  const auto scale = static_cast<float>(1 / header.exposure);
+  // Where lines begin is known only after all before them; then they can be decoded at once.
   LineReader lines(bytes, reader.position());
-  std::vector<Rgbe> line(header.width);
-  for (int row = 0; row < image->height; ++row) {
-    if (auto read = lines.read(line); !read) return tl::unexpected(read.error());
-    if (header.right_to_left) std::reverse(line.begin(), line.end());
-    const int y = header.bottom_up ? image->height - 1 - row : row;
-    for (int x = 0; x < image->width; ++x) {
-      image->at(x, y) = scale * rgb_from_rgbe(line[static_cast<std::size_t>(x)]);
-    }
+  std::vector<Rgbe> scratch(header.width);
+  std::vector<std::size_t> starts(header.height);
+  for (std::size_t& start : starts) {
+    start = lines.position();
+    if (auto read = lines.skip(scratch); !read) return tl::unexpected(read.error());
   }
+  const auto scale = static_cast<float>(1 / header.exposure);
+  const std::size_t blocks = (starts.size() + kLinesAtOnce - 1) / kLinesAtOnce;
+  parallel_for_dynamic(blocks, [&](std::size_t block) {
+    std::vector<Rgbe> line(header.width);
+    const std::size_t end = std::min((block + 1) * kLinesAtOnce, starts.size());
+    for (std::size_t row = block * kLinesAtOnce; row < end; ++row) {
+      (void)LineReader(bytes, starts[row]).read(line);
+      if (header.right_to_left) std::reverse(line.begin(), line.end());
+      const int y =
+          header.bottom_up ? image->height - 1 - static_cast<int>(row) : static_cast<int>(row);
+      for (int x = 0; x < image->width; ++x) {
+        image->at(x, y) = scale * rgb_from_rgbe(line[static_cast<std::size_t>(x)]);
+      }
+    }
+  });
   return image;
 }
 

@@ -49,20 +49,23 @@ Vec3f decode_rgbe(std::uint32_t word) {
           step * static_cast<float>(word >> 16 & 255)};
 }
 
-// No value where something would be lost.
-std::optional<std::uint32_t> encode_rgbe(const Vec3f& c) {
-  const float largest = max_component(c);
-  if (!(largest > 0x1p-110f)) return c == Vec3f() ? std::optional(0u) : std::nullopt;
-  // The step at which the largest channel is an integer in [128, 256).
+// False where something would be lost.
+bool encode_rgbe(const float* c, std::uint32_t& word) {
+  // The step at which the largest channel is an integer in [128, 256), and its exponent.
+  const float largest = std::max(std::max(c[0], c[1]), c[2]);
   const std::uint32_t exponent = (std::bit_cast<std::uint32_t>(largest) >> 23) + 2;
-  if (exponent > 255) return std::nullopt;
+  word = 0;
+  if (!(largest > 0x1p-110f) || exponent > 255) return c[0] == 0 && c[1] == 0 && c[2] == 0;
   const float inverse = std::bit_cast<float>((127 + 136 - exponent) << 23);
-  const auto mantissa = [&](float x) {
-    return static_cast<std::uint32_t>(std::clamp(x * inverse, 0.0f, 255.0f));
-  };
-  const std::uint32_t word =
-      mantissa(c.x) | mantissa(c.y) << 8 | mantissa(c.z) << 16 | exponent << 24;
-  return decode_rgbe(word) == c ? std::optional(word) : std::nullopt;
+  bool exact = true;
+  for (int channel = 0; channel < 3; ++channel) {
+    const float scaled = c[channel] * inverse;
+    const auto mantissa = static_cast<std::int32_t>(scaled > 0.0f ? scaled : 0.0f);
+    exact &= static_cast<float>(mantissa) == scaled;
+    word |= static_cast<std::uint32_t>(mantissa) << (8 * channel);
+  }
+  word |= exponent << 24;
+  return exact;
 }
 
 constexpr int kMostColumns = 1024, kMostRows = 512;  // of the grid of densities
@@ -145,13 +148,14 @@ void EnvironmentLight::pack() {
   std::atomic<bool> exact = true;
   const auto width = static_cast<std::size_t>(width_);
   parallel_for_dynamic(static_cast<std::size_t>(height_), [&](std::size_t y) {
-    for (std::size_t i = y * width; i < (y + 1) * width && exact; ++i) {
+    if (!exact) return;
+    bool row_exact = true;
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       float t[3];
       std::memcpy(t, rgb_ + 12 * i, sizeof(t));
-      const auto word = encode_rgbe({t[0], t[1], t[2]});
-      if (!word) exact = false;
-      words[i] = word.value_or(0);
+      row_exact &= encode_rgbe(t, words[i]);
     }
+    if (!row_exact) exact = false;
   });
   if (!exact) return;
   rgbe_ = std::move(words);

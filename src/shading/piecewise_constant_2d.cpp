@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "parallel/parallel.h"
+
 namespace dapple {
 namespace {
 
@@ -64,12 +66,12 @@ PiecewiseConstant2d::PiecewiseConstant2d(std::vector<float> weights, std::size_t
   std::vector<float> row_sums(rows);
   const std::span<float> cdfs(cdfs_.data(), cdfs_.size());
   const std::span<std::uint32_t> guides(guides_.data(), guides_.size());
-  for (std::size_t y = 0; y < rows; ++y) {
+  parallel_for_dynamic(rows, [&](std::size_t y) {
     const auto cdf = cdfs.subspan(rows + 1 + y * (columns + 1), columns + 1);
     row_sums[y] =
         static_cast<float>(accumulate(std::span(weights).subspan(y * columns, columns), cdf));
     set_guides(cdf, guides.subspan(rows + y * columns, columns));
-  }
+  });
   accumulate(row_sums, cdfs.first(rows + 1));
   set_guides(cdfs.first(rows + 1), guides.first(rows));
 }
