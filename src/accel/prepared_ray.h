@@ -38,30 +38,10 @@ inline float safe_inverse(float d) {
   return 1.0f / (std::fabs(d) < kSmallestDirection ? std::copysign(kSmallestDirection, d) : d);
 }
 
-// What is not three numbers alike; the vectors must be there. Spheres need what does not concern a
-// frame, triangles all but `inverse_dot`.
-inline void prepare_range(const Ray& ray, PreparedRay& prepared) {
-  const float squared = dot(ray.direction, ray.direction);
-  const float origin_size =
-      std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
-  prepared.inverse_dot = 1.0f / squared;
-  prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
-  // Also false where one of them is not a number, which no search could end on.
-  const bool usable = squared > 0.0f && squared <= std::numeric_limits<float>::max() &&
-                      origin_size <= std::numeric_limits<float>::max() &&
-                      ray.t_max >= prepared.t_min;
-  prepared.t_max = usable ? ray.t_max : -1.0f;
-}
-inline void prepare_frame(const Ray& ray, PreparedRay& prepared) {
-  const float x = std::fabs(ray.direction.x), y = std::fabs(ray.direction.y);
-  const float z = std::fabs(ray.direction.z);
-  const std::uint32_t axis = x >= y ? (x >= z ? 0u : 2u) : (y >= z ? 1u : 2u);
-  const std::uint32_t kx = next_axis(axis), ky = next_axis(kx);
-  prepared.axis = axis;
-  prepared.shear[0] = prepared.direction[kx] * prepared.inverse[axis];
-  prepared.shear[1] = prepared.direction[ky] * prepared.inverse[axis];
-}
+// Rays whose numbers sum up to more overflow and hit nothing.
+inline constexpr float kLargestUsable = std::numeric_limits<float>::max();
 
+// kernels/prepare-inl.h does the same for many rays at once.
 inline PreparedRay prepare(const Ray& ray) {
   PreparedRay prepared;
   for (int axis = 0; axis < 3; ++axis) {
@@ -70,8 +50,22 @@ inline PreparedRay prepare(const Ray& ray) {
     prepared.inverse[axis] = safe_inverse(ray.direction[axis]);
     prepared.inverse_far[axis] = prepared.inverse[axis] * kFarPad;
   }
-  prepare_range(ray, prepared);
-  prepare_frame(ray, prepared);
+  const float squared = dot(ray.direction, ray.direction);
+  const float origin_size =
+      std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+  prepared.inverse_dot = 1.0f / squared;
+  prepared.t_min = ray.t_min > 0.0f ? ray.t_min : 0.0f;
+  // Also false where one of them is not a number, which no search could end on.
+  const bool usable = squared > 0.0f && squared <= kLargestUsable &&
+                      origin_size <= kLargestUsable && ray.t_max >= prepared.t_min;
+  prepared.t_max = usable ? ray.t_max : -1.0f;
+
+  const float x = std::fabs(ray.direction.x), y = std::fabs(ray.direction.y);
+  const float z = std::fabs(ray.direction.z);
+  prepared.axis = x >= y ? (x >= z ? 0u : 2u) : (y >= z ? 1u : 2u);
+  const std::uint32_t kx = next_axis(prepared.axis), ky = next_axis(kx);
+  prepared.shear[0] = prepared.direction[kx] * prepared.inverse[prepared.axis];
+  prepared.shear[1] = prepared.direction[ky] * prepared.inverse[prepared.axis];
   return prepared;
 }
 

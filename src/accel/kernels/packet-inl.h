@@ -32,11 +32,29 @@ HWY_INLINE void visit_node(const PacketBounds& bounds, const WideNode& node,
   push_children(hits, node.children, pending);
 }
 
+HWY_INLINE void prefetch_pushed(const WideView& bvh, const PendingStack& pending,
+                                std::size_t before) {
+  for (std::size_t i = pending.top; i > before; --i) {
+    prefetch(bvh, ChildRef(pending.children[i - 1]));
+  }
+}
+
+// The hits of all rays of a packet, as the four words that each is in memory.
 template <class Packet>
-HWY_INLINE Hit hit_of(const Packet& packet, std::size_t i) {
-  if (packet.best_prim[i] == kNoPrim) return Hit{};
-  const LeafRef leaf = ChildRef(packet.best_leaf[i]).leaf_ref();
-  return {packet.best_t[i], packet.best_prim[i], leaf.lane(packet.best_lane[i])};
+HWY_INLINE void write_hits(const Packet& packet, Hit* hits) {
+  const Words d;
+  for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
+    const WordVec prim = hn::Load(d, packet.best_prim + i);
+    const WordVec leaf = hn::Load(d, packet.best_leaf + i);
+    const WordMask found = hn::Ne(prim, hn::Set(d, kNoPrim));
+    const WordVec infinite = hn::BitCast(d, all(Bounds3f::kInfinity));
+    const WordVec t =
+        hn::IfThenElse(found, hn::BitCast(d, load_floats(packet.best_t + i)), infinite);
+    const WordVec lane = hn::Or(hn::ShiftLeft<4>(leaf), hn::Load(d, packet.best_lane + i));
+    const WordVec kind = hn::ShiftLeft<28>(hn::And(hn::ShiftRight<28>(leaf), hn::Set(d, 7)));
+    hn::StoreInterleaved4(t, prim, hn::IfThenElseZero(found, lane), hn::IfThenElseZero(found, kind),
+                          d, reinterpret_cast<std::uint32_t*>(hits + i));
+  }
 }
 
 template <std::size_t kSize>
@@ -49,26 +67,29 @@ struct PacketSearch {
 };
 
 // Finds what the rays of a packet hit; false when they are better traced one by one.
-template <bool kAnyHit, std::size_t kSize>
-HWY_NOINLINE bool search_packet(const WideBvhView& bvh, const Ray* rays,
-                                PacketSearch<kSize>& search) {
+template <LeafKinds kKinds, bool kAnyHit, std::size_t kSize>
+HWY_NOINLINE bool search_packet(const WideView& bvh, const Ray* rays, PacketSearch<kSize>& search) {
   auto& [packet, bounds, pending] = search;
-  fill(rays, packet, bounds);
+  fill<kKinds>(rays, packet, bounds);
   if (!bound(packet, bounds)) return false;
   clear(pending);
   int work = 0;
   for (ChildRef current = ChildRef::node(0); !current.empty();
        current = pop_nearest(pending, bounds.t_best)) {
-    if (work > Packet<kSize>::kBudget) return false;
+    if (work > kBudget<kKinds, kSize>) return false;
     if (current.is_leaf()) {
       const ShapeKind kind = current.leaf_kind();
-      if (kind > ShapeKind::triangle) return false;  // not for packets
+      if (kKinds == LeafKinds::any && kind > ShapeKind::triangle) return false;  // not for packets
       if (kind == ShapeKind::triangle && !bounds.one_axis) return false;
-      work += visit_leaf<kAnyHit>(bounds, current, bvh.rows.data(), packet);
+      work += kNodeWork + visit_leaf<kKinds, kAnyHit>(bounds, current, bvh.rows.data(), packet);
       bounds.t_best = extent_of(packet.best_t).high;
     } else {
       work += kNodeWork;
+      const std::size_t before = pending.top;
       visit_node(bounds, bvh.nodes[current.node_index()], pending);
+      // A packet visits most of what it pushes. Of spheres, whose leaves take it longer, it is
+      // faster not to ask.
+      if (bvh.far && kKinds == LeafKinds::triangles) prefetch_pushed(bvh, pending, before);
     }
   }
   return true;
@@ -82,8 +103,8 @@ struct ClosestHits {
 
   HWY_INLINE void set(std::size_t i, const Hit& best) const { hits[i] = finished(best); }
   template <class Packet>
-  HWY_INLINE void set(std::size_t i, const Packet& packet, std::size_t lane) const {
-    hits[i] = hit_of(packet, lane);
+  HWY_INLINE void set_all(std::size_t begin, const Packet& packet) const {
+    write_hits(packet, hits + begin);
   }
 };
 
@@ -97,18 +118,20 @@ struct AnyHits {
     occluded[i] = best.prim != kNoPrim ? 1 : 0;
   }
   template <class Packet>
-  HWY_INLINE void set(std::size_t i, const Packet& packet, std::size_t lane) const {
-    occluded[i] = packet.best_prim[lane] != kNoPrim ? 1 : 0;
+  HWY_INLINE void set_all(std::size_t begin, const Packet& packet) const {
+    for (std::size_t i = 0; i < Packet::kRays; ++i) {
+      occluded[begin + i] = packet.best_prim[i] != kNoPrim ? 1 : 0;
+    }
   }
 };
 
 // Traces rays [begin, begin + kSize) of a job; false, and nothing is written, when they are better
 // traced otherwise.
-template <class Job, std::size_t kSize>
-HWY_INLINE bool trace_packet(const WideBvhView& bvh, const Job& job, std::size_t begin,
+template <LeafKinds kKinds, class Job, std::size_t kSize>
+HWY_INLINE bool trace_packet(const WideView& bvh, const Job& job, std::size_t begin,
                              PacketSearch<kSize>& search) {
-  if (!search_packet<Job::kAnyHit>(bvh, job.rays + begin, search)) return false;
-  for (std::size_t i = 0; i < kSize; ++i) job.set(begin + i, search.packet, i);
+  if (!search_packet<kKinds, Job::kAnyHit>(bvh, job.rays + begin, search)) return false;
+  job.set_all(begin, search.packet);
   return true;
 }
 

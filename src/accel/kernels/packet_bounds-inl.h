@@ -1,4 +1,5 @@
 // The rays of a packet and what they have in common: intervals of origins and inverse directions.
+#include "accel/kernels/prepare-inl.h"
 #include "accel/kernels/push-inl.h"
 
 #if defined(DAPPLE_KERNELS_PACKET_BOUNDS_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -14,15 +15,18 @@ namespace HWY_NAMESPACE {
 
 // Large packets where many rays meet the same shapes, small ones where they part sooner.
 inline constexpr std::size_t kLargePacket = 64, kSmallPacket = 16;
-// Work, in about ten instructions, after which a packet gives up: its rays have less in common than
-// it seemed. A large one gives up soon, since small ones are tried after it.
-inline constexpr int kLargeBudget = 320, kSmallBudget = 640;
-inline constexpr int kNodeWork = 2;
+// Work after which a packet gives up: its rays have less in common than it seemed. Of spheres a
+// large one gives up soon, since small ones are tried after it; of triangles even those of a large
+// one that meet little together mostly share the way there.
+template <LeafKinds kKinds, std::size_t kSize>
+inline constexpr int kBudget = kKinds == LeafKinds::triangles ? 2560
+                               : kSize == kLargePacket        ? 320
+                                                              : 640;
+inline constexpr int kNodeWork = 2, kRayWork = 2;
 
 template <std::size_t kSize>
 struct alignas(64) Packet {
   static constexpr std::size_t kRays = kSize;
-  static constexpr int kBudget = kSize == kLargePacket ? kLargeBudget : kSmallBudget;
   static constexpr int kPrimWork = 1 + static_cast<int>(kSize / 16);
 
   float origin[3][kSize], direction[3][kSize], inverse[3][kSize];
@@ -81,26 +85,31 @@ HWY_INLINE bool bound(const Packet& packet, PacketBounds& bounds) {
   return best.low >= 0.0f;
 }
 
-template <class Packet>
-HWY_INLINE void fill(const Ray* rays, Packet& packet, PacketBounds& bounds) {
-  bounds.one_axis = true;
-  for (std::size_t i = 0; i < Packet::kRays; ++i) {
-    PreparedRay ray;
-    prepare_fast(rays[i], ray);
+template <LeafKinds kKinds, class Packet>
+HWY_INLINE void fill(const Ray* from, Packet& packet, PacketBounds& bounds) {
+  const Floats d;
+  const Words w;
+  WordMask same_axis = hn::FirstN(w, kLanes);
+  for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
+    // The next packet's, most likely; two rays a cache line.
+    for (std::size_t k = 0; k < kLanes; k += 2) __builtin_prefetch(from + Packet::kRays + i + k);
+    const RayLanes rays = load_rays(from + i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      packet.origin[axis][i] = ray.origin[axis];
-      packet.direction[axis][i] = ray.direction[axis];
-      packet.inverse[axis][i] = ray.inverse[axis];
+      hn::Store(rays.origin[axis], d, packet.origin[axis] + i);
+      hn::Store(rays.direction[axis], d, packet.direction[axis] + i);
+      hn::Store(rays.inverse[axis], d, packet.inverse[axis] + i);
     }
-    packet.t_min[i] = ray.t_min;
-    packet.inverse_dot[i] = ray.inverse_dot;
-    packet.shear[0][i] = ray.shear[0];
-    packet.shear[1][i] = ray.shear[1];
-    if (i == 0) bounds.axis = ray.axis;
-    bounds.one_axis &= ray.axis == bounds.axis;
-    packet.best_t[i] = ray.t_max;
-    packet.best_prim[i] = kNoPrim;
+    hn::Store(rays.t_min, d, packet.t_min + i);
+    hn::Store(rays.inverse_dot, d, packet.inverse_dot + i);
+    hn::Store(rays.t_max, d, packet.best_t + i);
+    hn::Store(hn::Set(w, kNoPrim), w, packet.best_prim + i);
+    if (kKinds == LeafKinds::spheres) continue;
+    const FrameLanes frames = frames_of(rays);
+    if (i == 0) bounds.axis = hn::GetLane(frames.axis);
+    same_axis = hn::And(same_axis, hn::Eq(frames.axis, hn::Set(w, bounds.axis)));
+    for (std::size_t k = 0; k < 2; ++k) hn::Store(frames.shear[k], d, packet.shear[k] + i);
   }
+  bounds.one_axis = hn::AllTrue(w, same_axis);
 }
 
 // The earliest and latest distances at which any ray of the packet crosses planes of one axis.

@@ -1,5 +1,6 @@
 // One ray's way through the wide BVH: its state, a visit of a node, what is next.
 #include "accel/kernels/leaf-inl.h"
+#include "accel/kernels/prepare-inl.h"
 #include "accel/kernels/push-inl.h"
 
 #if defined(DAPPLE_KERNELS_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -34,11 +35,11 @@ struct PlanesBySigns {
 };
 inline constexpr PlanesBySigns kPlanesBySigns;
 
-// The inverse direction is never zero, so its sign bits say it all.
-HWY_INLINE const NodePlanes& planes_of(const PreparedRay& ray) {
+// Bit i is set where the ray goes down along axis i; the inverse direction is never zero.
+HWY_INLINE std::uint32_t signs_of(const PreparedRay& ray) {
   std::uint32_t bits[3];
   __builtin_memcpy(bits, ray.inverse, sizeof bits);
-  return kPlanesBySigns.of[bits[0] >> 31 | bits[1] >> 31 << 1 | bits[2] >> 31 << 2];
+  return bits[0] >> 31 | bits[1] >> 31 << 1 | bits[2] >> 31 << 2;
 }
 
 // A ray in flight.
@@ -82,10 +83,10 @@ HWY_INLINE ChildRef pop(Search& search) {
   return kAnyHit ? pop_any(search.pending) : pop_nearest(search.pending, search.best.t);
 }
 
-template <LeafKinds kKinds>
-HWY_INLINE void start(const Ray& ray, std::size_t index, Search& search) {
-  prepare_fast<kKinds != LeafKinds::spheres>(ray, search.ray);
-  search.planes = planes_of(search.ray);
+// With ray `place` of a batch, number `index` of the stream.
+HWY_INLINE void start(const RayBatch& batch, std::size_t place, std::size_t index, Search& search) {
+  const std::uint32_t signs = take_ray(batch, place, search.ray);
+  search.planes = kPlanesBySigns.of[signs];
   search.best = nothing_before(search.ray.t_max);
   search.index = index;
   search.current = ChildRef::node(0);
@@ -99,7 +100,7 @@ HWY_NOINLINE Hit search_instance(const WideView& bvh, const PlacedInstance& inst
                                  const PreparedRay& ray, float t_best) {
   Search search;
   search.ray = enter_instance(instance, ray);
-  search.planes = planes_of(search.ray);
+  search.planes = kPlanesBySigns.of[signs_of(search.ray)];
   search.best = nothing_before(search.ray.t_max < t_best ? search.ray.t_max : t_best);
   make_bottom(search.pending);
   clear(search.pending);

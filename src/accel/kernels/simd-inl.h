@@ -41,31 +41,6 @@ HWY_INLINE std::uint32_t take_lowest(std::uint32_t& bits) {
   return index;
 }
 
-// prepare() with the three divisions of the inverse direction at once, and without a frame where no
-// triangle will ask for it. Straight to where the ray will be read: a copy of what was stored in
-// smaller pieces would wait for all of them to reach the cache.
-template <bool kFrame = true>
-HWY_INLINE void prepare_fast(const Ray& ray, PreparedRay& prepared) {
-#if HWY_TARGET == HWY_SCALAR
-  prepared = prepare(ray);
-#else
-  const hn::FixedTag<float, 4> d;
-  using Vec = decltype(hn::Zero(d));
-  const Vec origin = hn::LoadU(d, &ray.origin.x);        // and t_min
-  const Vec direction = hn::LoadU(d, &ray.direction.x);  // and t_max
-  const Vec smallest = hn::Set(d, kSmallestDirection);
-  const Vec divisor = hn::IfThenElse(hn::Lt(hn::Abs(direction), smallest),
-                                     hn::CopySign(smallest, direction), direction);
-  const Vec inverse = hn::Div(hn::Set(d, 1.0f), divisor);
-  hn::StoreU(origin, d, prepared.origin);
-  hn::StoreU(direction, d, prepared.direction);
-  hn::StoreU(inverse, d, prepared.inverse);
-  hn::StoreU(hn::Mul(inverse, hn::Set(d, kFarPad)), d, prepared.inverse_far);
-  prepare_range(ray, prepared);
-  if constexpr (kFrame) prepare_frame(ray, prepared);
-#endif
-}
-
 // (plane - origin) * inverse for one axis: where the ray meets the planes.
 HWY_INLINE FloatVec meet(FloatVec planes, const PreparedRay& ray, int axis) {
   return hn::Mul(hn::Sub(planes, all(ray.origin[axis])), all(ray.inverse[axis]));

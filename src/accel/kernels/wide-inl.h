@@ -20,20 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
 
-// Asks for the memory that visiting `child` will read: seven cache lines of a node, five or more of
-// a leaf. Where these are is computed without a branch, which half the time would be predicted
-// wrongly; what is empty gives some address, and asking for that is harmless.
-HWY_INLINE void prefetch(const WideBvhView& bvh, ChildRef child) {
-  const std::uint64_t bits = child.bits;
-  const std::uint64_t if_leaf = 0 - (bits >> 31);
-  const auto rows = reinterpret_cast<std::uint64_t>(bvh.rows.data());
-  const auto nodes = reinterpret_cast<std::uint64_t>(bvh.nodes.data());
-  const std::uint64_t leaf = rows + (bits & ChildRef::kMaxRow) * sizeof(LeafRow);
-  const std::uint64_t node = nodes + bits * sizeof(WideNode);
-  const char* begin = reinterpret_cast<const char*>((leaf & if_leaf) | (node & ~if_leaf));
-  for (int line = 0; line < 7; ++line) __builtin_prefetch(begin + 64 * line);
-}
-
 // More hide more latency until their state no longer fits into the first-level cache.
 inline constexpr std::size_t kInFlight = 24;
 
@@ -59,15 +45,51 @@ HWY_INLINE void advance(const WideView& bvh, Search& search, std::size_t id, Wor
 // Rays that one thread is given at most before it drains its searches.
 inline constexpr std::size_t kChunk = 4096;
 
-// Rays of a job that are traced one by one, and which of them is to be started next.
+// Rays of a job that are traced one by one: runs of kBatch, the last of which may be shorter.
 struct Singles {
-  std::uint16_t rays[kChunk];
-  std::size_t count = 0, next = 0;
+  std::uint16_t runs[kChunk / kBatch];  // the first ray of each
+  std::size_t run_count = 0, count = 0;
 
   HWY_INLINE void add(std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) rays[count++] = static_cast<std::uint16_t>(i);
+    for (std::size_t i = begin; i < end; i += kBatch)
+      runs[run_count++] = static_cast<std::uint16_t>(i);
+    count += end - begin;
   }
-  HWY_INLINE bool any_left() const { return next < count; }
+};
+
+// Starts them in turn, prepared a run at a time.
+template <LeafKinds kKinds>
+class Starter {
+ public:
+  HWY_INLINE Starter(const Ray* rays, const Singles& singles) : rays_(rays), singles_(singles) {}
+
+  HWY_INLINE bool any_left() const { return next_ < singles_.count; }
+  HWY_INLINE void start_next(Search& search) {
+    const std::size_t place = next_ % kBatch, first = singles_.runs[next_ / kBatch];
+    if (place == 0) prepare_run(first);
+    start(batch_, place, first + place, search);
+    ++next_;
+  }
+
+ private:
+  HWY_INLINE void prepare_run(std::size_t first) {
+    constexpr bool kFrame = kKinds != LeafKinds::spheres;
+    const std::size_t left = singles_.count - next_;
+    if (HWY_LIKELY(left >= kBatch)) {
+      const Ray* rays = rays_ + first;
+      for (std::size_t i = 0; i < kBatch; i += 2) __builtin_prefetch(rays + kBatch + i);
+      prepare_batch<kFrame>(rays, batch_);
+      return;
+    }
+    Ray last[kBatch];
+    for (std::size_t i = 0; i < kBatch; ++i) last[i] = rays_[first + (i < left ? i : 0)];
+    prepare_batch<kFrame>(last, batch_);
+  }
+
+  const Ray* rays_;
+  const Singles& singles_;
+  std::size_t next_ = 0;
+  RayBatch batch_;
 };
 
 template <LeafKinds kKinds, bool kAnyHit>
@@ -93,18 +115,15 @@ HWY_INLINE void visit_leaves(const WideView& bvh, const Worklists& lists, Search
 }
 
 template <LeafKinds kKinds, class Job>
-HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, Singles& singles) {
+HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, const Singles& singles) {
   constexpr bool kAnyHit = Job::kAnyHit;
   Search searches[kInFlight];
   Worklists both[2];
   Worklists *now = &both[0], *next = &both[1];
-  const auto start_next = [&](Search& search) {
-    const std::size_t ray = singles.rays[singles.next++];
-    start<kKinds>(job.rays[ray], ray, search);
-  };
+  Starter<kKinds> starter(job.rays, singles);
   for (Search& search : searches) make_bottom(search.pending);
-  for (std::size_t id = 0; id < kInFlight && singles.any_left(); ++id) {
-    start_next(searches[id]);
+  for (std::size_t id = 0; id < kInFlight && starter.any_left(); ++id) {
+    starter.start_next(searches[id]);
     now->at_node[now->node_count++] = static_cast<std::uint8_t>(id);
   }
   while (now->node_count + now->leaf_count != 0) {
@@ -123,25 +142,13 @@ HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, Singles& si
     for (std::size_t i = 0; i < next->ended_count; ++i) {
       Search& search = searches[next->ended[i]];
       job.set(search.index, search.best);
-      if (!singles.any_left()) continue;
-      start_next(search);
+      if (!starter.any_left()) continue;
+      starter.start_next(search);
       next->at_node[next->node_count++] = next->ended[i];
     }
     Worklists* const done = now;
     now = next;
     next = done;
-  }
-}
-
-template <class Job>
-HWY_INLINE void trace_singles(const WideView& bvh, const Job& job, Singles& singles) {
-  switch (bvh.kinds) {
-    case LeafKinds::spheres:
-      return trace_singles<LeafKinds::spheres>(bvh, job, singles);
-    case LeafKinds::triangles:
-      return trace_singles<LeafKinds::triangles>(bvh, job, singles);
-    case LeafKinds::any:
-      return trace_singles<LeafKinds::any>(bvh, job, singles);
   }
 }
 
@@ -168,30 +175,43 @@ struct Packets {
   Patience with_large, with_small;
 };
 
-template <class Job, std::size_t kSize>
+template <LeafKinds kKinds, class Job, std::size_t kSize>
 HWY_INLINE bool try_packet(const WideView& bvh, const Job& job, std::size_t begin,
                            PacketSearch<kSize>& search, Patience& patience) {
   if (!patience.try_now()) return false;
-  const bool worked = trace_packet(bvh, job, begin, search);
+  const bool worked = trace_packet<kKinds>(bvh, job, begin, search);
   patience.learn(worked);
   return worked;
 }
 
 // Packets where they work, large ones first; what they leave is traced one by one.
-template <class Job>
+template <LeafKinds kKinds, class Job>
 HWY_INLINE void trace_chunk(const WideView& bvh, const Job& job, std::size_t count,
                             Packets& packets) {
   Singles singles;
   std::size_t i = 0;
   for (; i + kLargePacket <= count; i += kLargePacket) {
-    if (try_packet(bvh, job, i, packets.large, packets.with_large)) continue;
+    if (try_packet<kKinds>(bvh, job, i, packets.large, packets.with_large)) continue;
     for (std::size_t j = i; j < i + kLargePacket; j += kSmallPacket) {
-      if (try_packet(bvh, job, j, packets.small, packets.with_small)) continue;
+      if (try_packet<kKinds>(bvh, job, j, packets.small, packets.with_small)) continue;
       singles.add(j, j + kSmallPacket);
     }
   }
   singles.add(i, count);
-  trace_singles(bvh, job, singles);
+  trace_singles<kKinds>(bvh, job, singles);
+}
+
+template <class Job>
+HWY_INLINE void trace_chunk(const WideView& bvh, const Job& job, std::size_t count,
+                            Packets& packets) {
+  switch (bvh.kinds) {
+    case LeafKinds::spheres:
+      return trace_chunk<LeafKinds::spheres>(bvh, job, count, packets);
+    case LeafKinds::triangles:
+      return trace_chunk<LeafKinds::triangles>(bvh, job, count, packets);
+    case LeafKinds::any:
+      return trace_chunk<LeafKinds::any>(bvh, job, count, packets);
+  }
 }
 
 HWY_ATTR void intersect_wide(const WideView& bvh, const Ray* rays, Hit* hits, std::size_t count) {
