@@ -23,6 +23,7 @@ CommandInfo bench() {
       .arguments = {scene_argument()},
       .options = {accel,
                   bvh_quality_option(),
+                  bvh_compact_option(),
                   size_option("width", "Columns of camera rays", "1000"),
                   size_option("height", "Rows of camera rays", "1000"),
                   {.name = "repeat",
@@ -171,7 +172,8 @@ CommandInfo render() {
                   accel_option("How hits are found: brute force, textbook BVH or fast BVH; the "
                                "image is the same",
                                "fast"),
-                  bvh_quality_option()},
+                  bvh_quality_option(),
+                  bvh_compact_option()},
       .examples = {{"dapple render nice -o nice.png", "A named scene with the default settings."},
                    {"dapple render model.glb -o model.png",
                     "A model of an editor, in a studio if it brings no light."},

@@ -92,6 +92,13 @@ OptionInfo bvh_quality_option() {
           .choices = {"low", "medium", "high"}};
 }
 
+OptionInfo bvh_compact_option() {
+  return {.name = "bvh-compact",
+          .help =
+              "Keep indices instead of coordinates in the fast BVH, which takes less than half "
+              "the memory for triangles and is slower; a stored one is taken as it is"};
+}
+
 OptionInfo size_option(std::string_view name, std::string_view help, std::string default_value) {
   return {.name = name,
           .kind = ValueKind::integer,

@@ -15,6 +15,7 @@ namespace dapple {
 [[nodiscard]] OptionInfo json_option(std::string_view help);
 [[nodiscard]] OptionInfo output_option(std::string_view help);
 [[nodiscard]] OptionInfo bvh_quality_option();
+[[nodiscard]] OptionInfo bvh_compact_option();
 [[nodiscard]] OptionInfo accel_option(std::string_view help, std::string default_value);
 // A width or height.
 [[nodiscard]] OptionInfo size_option(std::string_view name, std::string_view help,

@@ -36,6 +36,7 @@ struct BenchSettings {
   RenderSettings camera;
   int repeat = 1;
   BvhQuality bvh_quality = BvhQuality::medium;
+  LeafForm leaf_form = LeafForm::whole;
 };
 
 double median(std::vector<double> values) {
@@ -89,7 +90,7 @@ Expected<Figures> measure(AccelKind kind, const SceneView& scene, const BenchSet
   for (int i = 0; i < settings.repeat; ++i) {
     accel.reset();  // not part of building, and two at once may not fit in memory
     const Clock clock;
-    accel = make_accel(kind, scene, settings.bvh_quality);
+    accel = make_accel(kind, scene, settings.bvh_quality, settings.leaf_form);
     build_seconds.push_back(clock.seconds());
   }
   figures.build_seconds = median(std::move(build_seconds));
@@ -174,6 +175,7 @@ Expected<int> run_bench(const Arguments& arguments) {
   settings.camera.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
   settings.repeat = arguments.small_integer("repeat");
   settings.bvh_quality = parse_bvh_quality(arguments.text("bvh-quality")).value();
+  if (arguments.given("bvh-compact")) settings.leaf_form = LeafForm::compact;
   if (auto status = validate(settings.camera).and_then([&] { return set_up_computing(arguments); });
       !status) {
     return tl::unexpected(status.error());

@@ -41,6 +41,7 @@ struct Report {
   RenderSettings settings;
   AccelKind accel = AccelKind::fast;
   BvhQuality bvh_quality = BvhQuality::medium;
+  LeafForm leaf_form = LeafForm::whole;
   bool classic = true;
   double load_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
   std::uint64_t dropped_samples = 0;
@@ -98,7 +99,8 @@ void print_warning(const std::string& text) {
 
 Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, Report& report) {
   Clock clock;
-  const PreparedScene prepared(scene, make_accel(report.accel, scene, report.bvh_quality));
+  const PreparedScene prepared(
+      scene, make_accel(report.accel, scene, report.bvh_quality, report.leaf_form));
   if (!report.classic && !sees_surfaces(prepared, report.settings)) {
     print_warning("no surface is in the camera's sight");
   }
@@ -188,6 +190,7 @@ Expected<int> run_render(const Arguments& arguments) {
   Report report;
   report.accel = parse_accel_kind(arguments.text("accel")).value();
   report.bvh_quality = parse_bvh_quality(arguments.text("bvh-quality")).value();
+  if (arguments.given("bvh-compact")) report.leaf_form = LeafForm::compact;
   if (auto status = validate(settings_from(arguments, true))
                         .and_then([&] { return set_up_computing(arguments); })
                         .and_then([&] { return check_format(output); })

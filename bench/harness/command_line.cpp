@@ -15,6 +15,10 @@ void CommandLine::add(const std::string& flag, const std::string& help, int& val
   app_->add_option(flag, value, help)->check(CLI::PositiveNumber)->capture_default_str();
 }
 
+void CommandLine::add(const std::string& flag, const std::string& help, bool& value) {
+  app_->add_flag(flag, value, help);
+}
+
 void CommandLine::add_positional(const std::string& name, const std::string& help,
                                  std::vector<std::string>& values) {
   app_->add_option(name, values, help)->capture_default_str();

@@ -20,6 +20,8 @@ class CommandLine {
   // The variable's value is the default and must live until parse() has returned.
   void add(const std::string& flag, const std::string& help, std::string& value);
   void add(const std::string& flag, const std::string& help, int& value);
+  // Set by naming it.
+  void add(const std::string& flag, const std::string& help, bool& value);
   void add_positional(const std::string& name, const std::string& help,
                       std::vector<std::string>& values);
 

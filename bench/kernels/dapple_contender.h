@@ -8,10 +8,13 @@ namespace dapple::bench {
 
 class DappleContender final : public Contender {
  public:
-  explicit DappleContender(AccelKind kind) : kind_(kind) {}
+  DappleContender(AccelKind kind, bool compact)
+      : kind_(kind), form_(compact ? LeafForm::compact : LeafForm::whole) {}
 
   std::string name() const override { return "dapple"; }
-  void build(const SceneView& scene) override { accel_ = make_accel(kind_, scene); }
+  void build(const SceneView& scene) override {
+    accel_ = make_accel(kind_, scene, BvhQuality::medium, form_);
+  }
   void discard() override { accel_.reset(); }
   std::size_t bytes() const override { return accel_->stats().bytes; }
   double sah_cost() const override { return accel_->stats().sah_cost; }
@@ -20,6 +23,7 @@ class DappleContender final : public Contender {
 
  private:
   AccelKind kind_;
+  LeafForm form_;
   std::unique_ptr<Accel> accel_;
 };
 

@@ -32,6 +32,7 @@ void EmbreeContender::build(const SceneView& scene) {
   rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
   scene_ = rtcNewScene(device_);
   rtcSetSceneBuildQuality(scene_, quality_);
+  if (compact_) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_COMPACT);
   attach_spheres(device_, scene_, scene, quality_);
   attach_rectangles(device_, scene_, scene, quality_);
   attach_triangles(device_, scene_, scene, quality_);

@@ -12,7 +12,7 @@ namespace dapple::bench {
 
 class EmbreeContender final : public Contender {
  public:
-  explicit EmbreeContender(RTCBuildQuality quality) : quality_(quality) {}
+  EmbreeContender(RTCBuildQuality quality, bool compact) : quality_(quality), compact_(compact) {}
   ~EmbreeContender() override { discard(); }
   EmbreeContender(const EmbreeContender&) = delete;
   EmbreeContender& operator=(const EmbreeContender&) = delete;
@@ -29,6 +29,7 @@ class EmbreeContender final : public Contender {
   static bool count_bytes(void* self, ssize_t bytes, bool post);
 
   RTCBuildQuality quality_;
+  bool compact_;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
   FirstIds first_ids_{};

@@ -17,6 +17,7 @@ struct Options {
   std::string accel = "fast";
   std::string only;
   std::string quality = "medium";
+  bool compact = false;
   std::string json;
   int side = 1000;
   int rounds = 5;
@@ -32,6 +33,7 @@ std::optional<int> read(int argc, char** argv, Options& o) {
   line.add("--accel", "dapple's structure: fast, median or linear", o.accel);
   line.add("--only", "one contender: dapple or embree", o.only);
   line.add("--embree-quality", "Embree's build quality: low, medium or high", o.quality);
+  line.add("--compact", "both ask for trees that take less memory", o.compact);
   line.add("--side", "width and height of the picture; a set has its square of rays", o.side);
   line.add("--rounds", "repetitions of each way of tracing", o.rounds);
   line.add("--build-rounds", "repetitions of each build", o.build_rounds);
@@ -49,7 +51,8 @@ Expected<std::vector<Cores>> parse_cores(const std::string& name) {
 
 Status measure(const std::string& name, const SceneView& scene, const Options& options,
                std::span<const Cores> all_cores, Report& report) {
-  const auto contenders = make_contenders(options.accel, options.only, options.quality);
+  const auto contenders =
+      make_contenders(options.accel, options.only, options.quality, options.compact);
   if (!contenders) return tl::unexpected(contenders.error());
 
   std::vector<RaySet> sets;

@@ -30,7 +30,7 @@ bool Accel::occluded(const Ray& ray) const {
 }
 
 SurfacePoint Accel::locate(const Ray& ray, const Hit& hit) const {
-  return locate_hit(leaf_rows_, instances_, ray, hit.t, hit.lane);
+  return locate_hit(leaves_, instances_, ray, hit.t, hit.lane);
 }
 
 std::string_view accel_name(AccelKind kind) { return kAccelNames[static_cast<std::size_t>(kind)]; }
@@ -56,7 +56,8 @@ Expected<BvhQuality> parse_bvh_quality(std::string_view name) {
               fmt::format("unknown quality; there are {}", fmt::join(kBvhQualityNames, ", ")));
 }
 
-std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene, BvhQuality quality) {
+std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene, BvhQuality quality,
+                                  LeafForm form) {
   switch (kind) {
     case AccelKind::linear:
       return std::make_unique<LinearAccel>(scene);
@@ -65,7 +66,7 @@ std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene, BvhQua
     case AccelKind::fast:
       break;
   }
-  return std::make_unique<WideAccel>(scene, quality);
+  return std::make_unique<WideAccel>(scene, quality, form);
 }
 
 }  // namespace dapple

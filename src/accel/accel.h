@@ -66,20 +66,20 @@ class Accel {
   bool occluded(const Ray& ray) const;
 
   // Where the lanes of hits point into, and what those are seen through.
-  const LeafRow* leaf_rows() const { return leaf_rows_; }
+  const LeafArrays& leaves() const { return leaves_; }
   const PlacedInstance* instances() const { return instances_; }
   // `hit` must have been found by this structure for this ray.
   SurfacePoint locate(const Ray& ray, const Hit& hit) const;
 
  protected:
   // To be called before any ray is traced: where hits point into.
-  void set_leaves(const LeafRow* rows, std::span<const PlacedInstance> instances) {
-    leaf_rows_ = rows;
+  void set_leaves(const LeafArrays& leaves, std::span<const PlacedInstance> instances) {
+    leaves_ = leaves;
     instances_ = instances.data();
   }
 
  private:
-  const LeafRow* leaf_rows_ = nullptr;
+  LeafArrays leaves_;
   const PlacedInstance* instances_ = nullptr;
 };
 
@@ -90,9 +90,11 @@ class Accel {
 [[nodiscard]] Expected<BvhQuality> parse_bvh_quality(std::string_view name);
 [[nodiscard]] std::string_view bvh_quality_name(BvhQuality quality);
 
-// The scene must be valid (scene/validate.h); it is not needed afterwards. The quality is that of
-// the fast structure, if the scene does not bring its own.
+// The scene must be valid (scene/validate.h); it is not needed afterwards, but for the positions of
+// its vertices if the form is compact. Quality and form are those of the fast structure, if the
+// scene does not bring its own.
 [[nodiscard]] std::unique_ptr<Accel> make_accel(AccelKind kind, const SceneView& scene,
-                                                BvhQuality quality = BvhQuality::medium);
+                                                BvhQuality quality = BvhQuality::medium,
+                                                LeafForm form = LeafForm::whole);
 
 }  // namespace dapple

@@ -21,7 +21,7 @@ LinearAccel::LinearAccel(const SceneView& scene)
   view_.leaves = list_.leaves();
   view_.prototypes = prototypes_;
   view_.rows = list_.rows();
-  set_leaves(list_.rows(), instances_);
+  set_leaves({list_.rows()}, instances_);
 }
 
 void LinearAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {

@@ -81,10 +81,24 @@ SurfacePoint locate_on_cylinder(const Ray& ray, float t, const float* numbers) {
   return point;
 }
 
-SurfacePoint locate_in_world(const LeafRow* rows, const Ray& ray, float t, LeafRef lane) {
+// The numbers of a shape as they stand in a whole leaf.
+void read_lane(const LeafArrays& leaves, LeafRef lane, float numbers[kMaxLeafRows]) {
+  if (lane.kind() == ShapeKind::triangle && leaves.form() == LeafForm::compact) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3f& position = leaves.positions[leaf_word(leaves.rows, lane, i)];
+      for (int axis = 0; axis < 3; ++axis) *numbers++ = position[axis];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < leaf_id_row(lane.kind()); ++i) {
+    numbers[i] = leaf_float(leaves.rows, lane, i);
+  }
+}
+
+SurfacePoint locate_in_world(const LeafArrays& leaves, const Ray& ray, float t, LeafRef lane) {
   const ShapeKind kind = lane.kind();
   float numbers[kMaxLeafRows];
-  for (std::size_t i = 0; i < leaf_id_row(kind); ++i) numbers[i] = leaf_float(rows, lane, i);
+  read_lane(leaves, lane, numbers);
   if (kind == ShapeKind::sphere) {
     return locate_on_sphere(ray, t, {numbers[0], numbers[1], numbers[2]}, numbers[3]);
   }
@@ -115,15 +129,15 @@ SurfacePoint leave_instance(const PlacedInstance& instance, const Ray& ray, Surf
 
 }  // namespace
 
-SurfacePoint locate_hit(const LeafRow* rows, const PlacedInstance* instances, const Ray& ray,
+SurfacePoint locate_hit(const LeafArrays& leaves, const PlacedInstance* instances, const Ray& ray,
                         float t, LeafRef lane) {
-  if (!lane.in_instance()) return locate_in_world(rows, ray, t, lane);
+  if (!lane.in_instance()) return locate_in_world(leaves, ray, t, lane);
   const PlacedInstance& instance = instances[lane.instance_index()];
   const Ray inside = enter_instance(instance, &ray.origin.x, &ray.direction.x);
-  return leave_instance(instance, ray, locate_in_world(rows, inside, t, lane));
+  return leave_instance(instance, ray, locate_in_world(leaves, inside, t, lane));
 }
 
-void locate_lane(const LeafRow* rows, const PlacedInstance* instances, float* numbers,
+void locate_lane(const LeafArrays& leaves, const PlacedInstance* instances, float* numbers,
                  std::size_t stride, std::uint64_t lane) {
   Ray ray;
   for (int axis = 0; axis < 3; ++axis) {
@@ -132,7 +146,7 @@ void locate_lane(const LeafRow* rows, const PlacedInstance* instances, float* nu
   }
   LeafRef ref;
   ref.bits = lane;
-  const SurfacePoint at = locate_hit(rows, instances, ray, numbers[6 * stride], ref);
+  const SurfacePoint at = locate_hit(leaves, instances, ray, numbers[6 * stride], ref);
   for (int axis = 0; axis < 3; ++axis) {
     numbers[static_cast<std::size_t>(axis) * stride] = at.position[axis];
     numbers[static_cast<std::size_t>(3 + axis) * stride] = at.outward[axis];

@@ -28,7 +28,7 @@ MedianAccel::MedianAccel(const SceneView& scene)
   instances_ = place_instances(scene, contents);
   first_instance_ =
       static_cast<PrimId>(first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::instance)]);
-  set_leaves(list_.rows(), instances_);
+  set_leaves({list_.rows()}, instances_);
   run_with_tasks(leaf_count_, [&] {
     HugeArray<BuildPrim> prims = make_build_prims(scene, prototype_boxes(scene));
     if (prim_count_ > 0) build(prims.span(), 0, 0);

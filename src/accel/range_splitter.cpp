@@ -60,15 +60,15 @@ RangePair RangeSplitter::split(const PrimRange& range, SplitBy by) {
   return partition_range(prims_.span(), scratch_.span(), range, *best);
 }
 
-void RangeSplitter::write_leaf(const PrimRange& range, LeafRow* leaf) const {
+void RangeSplitter::write_leaf(const PrimRange& range, LeafRow* leaf, LeafForm form) const {
   std::array<PrimId, kLeafWidth> ids;
   for (std::size_t i = 0; i < range.size(); ++i) ids[i] = prims_[range.begin + i].id;
   std::sort(ids.begin(), ids.begin() + range.size());
   const ShapeKind kind = leaf_kind(range);
   const std::size_t first_id = first_ids_[static_cast<std::size_t>(kind)];
-  clear_leaf(kind, leaf);
+  clear_leaf(kind, leaf, form);
   for (std::size_t i = 0; i < range.size(); ++i) {
-    write_lane(scene_, prototypes_, kind, ids[i] - first_id, ids[i], leaf, i);
+    write_lane(scene_, prototypes_, kind, ids[i] - first_id, ids[i], leaf, i, form);
   }
 }
 

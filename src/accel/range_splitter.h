@@ -37,7 +37,7 @@ class RangeSplitter {
 
   // Writes the primitives of a leaf into its rows, by ascending id.
   ShapeKind leaf_kind(const PrimRange& range) const { return kind_of(prims_[range.begin].id); }
-  void write_leaf(const PrimRange& range, LeafRow* leaf) const;
+  void write_leaf(const PrimRange& range, LeafRow* leaf, LeafForm form) const;
 
   // Gives the memory of a range back whose leaves are all written, in builds so large that this is
   // worth a tenth of their time.

@@ -52,12 +52,12 @@ class Refitter {
   Bounds3f refit_leaf(LeafRef leaf) {
     const ShapeKind kind = leaf.kind();
     LeafRow* rows = bvh_.rows.data() + leaf.first_row();
-    const LeafRow ids = rows[leaf_id_row(kind)];
+    const LeafRow ids = rows[leaf_id_row(kind, bvh_.form)];
     Bounds3f box;
     for (std::size_t lane = 0; lane < kLeafWidth && ids.words[lane] != kNoPrim; ++lane) {
       const PrimId id = ids.words[lane];
       const std::size_t index = id - first_ids_[static_cast<std::size_t>(kind)];
-      write_lane(scene_, prototypes_, kind, index, id, rows, lane);
+      write_lane(scene_, prototypes_, kind, index, id, rows, lane, bvh_.form);
       box.extend(shape_bounds(scene_, prototypes_, kind, index));
     }
     return box;

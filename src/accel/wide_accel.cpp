@@ -12,12 +12,12 @@ constexpr std::size_t kNearBytes = std::size_t{1} << 20;
 
 }  // namespace
 
-WideAccel::WideAccel(const SceneView& scene, BvhQuality quality)
+WideAccel::WideAccel(const SceneView& scene, BvhQuality quality, LeafForm form)
     : prim_count_(scene.object_count()) {
   WideBvhView& bvh = view_;
   bvh = scene.bvh;
   if (bvh.empty()) {
-    built_ = build_wide_bvh(scene, nullptr, quality);
+    built_ = build_wide_bvh(scene, nullptr, quality, form);
     bvh = built_.view();
   }
   if (!scene.instances.empty()) {
@@ -26,11 +26,18 @@ WideAccel::WideAccel(const SceneView& scene, BvhQuality quality)
     view_.first_id =
         static_cast<PrimId>(first_prim_ids(scene)[static_cast<std::size_t>(ShapeKind::instance)]);
   }
-  view_.far = bvh.nodes.size_bytes() + bvh.rows.size_bytes() > kNearBytes;
+  std::size_t bytes = bvh.nodes.size_bytes() + bvh.rows.size_bytes();
   view_.kinds = leaf_kinds(scene);
+  if (bvh.form == LeafForm::compact && view_.kinds != LeafKinds::spheres) {
+    view_.kinds = view_.kinds == LeafKinds::triangles ? LeafKinds::compact_triangles
+                                                      : LeafKinds::compact_any;
+    view_.positions = scene.vertices.positions;
+    bytes += view_.positions.size_bytes();
+  }
+  view_.far = bytes > kNearBytes;
   // Prototypes that nothing shows: a ray must not start in them.
   if (prim_count_ == 0) bvh = {};
-  set_leaves(bvh.rows.data(), instances_);
+  set_leaves(view_.leaves(), instances_);
 }
 
 void WideAccel::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {

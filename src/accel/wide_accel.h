@@ -10,7 +10,9 @@ namespace dapple {
 class WideAccel final : public Accel {
  public:
   // Uses the scene's finished BVH when it has one, which must then outlive this; else builds.
-  explicit WideAccel(const SceneView& scene, BvhQuality quality = BvhQuality::medium);
+  // One with compact leaves reads the positions of the scene's vertices, which must outlive it too.
+  explicit WideAccel(const SceneView& scene, BvhQuality quality = BvhQuality::medium,
+                     LeafForm form = LeafForm::whole);
 
   using Accel::intersect;
   using Accel::occluded;

@@ -44,8 +44,8 @@ std::size_t add_empty_node(Fragment& fragment) {
 class Builder {
  public:
   Builder(const SceneView& scene, const PrototypeBoxes& prototypes, HugeArray<BuildPrim> prims,
-          BvhQuality quality)
-      : splitter_(scene, prototypes, std::move(prims), quality), quality_(quality) {}
+          BvhQuality quality, LeafForm form)
+      : splitter_(scene, prototypes, std::move(prims), quality), quality_(quality), form_(form) {}
 
   // Splits the child with the largest surface until there are kWideWidth or only small ones.
   void build_top(const PrimRange& range, int depth, Fragment& fragment);
@@ -59,13 +59,14 @@ class Builder {
 
   RangeSplitter splitter_;
   BvhQuality quality_;
+  LeafForm form_;
 };
 
 ChildRef Builder::add_leaf(const PrimRange& range, Fragment& fragment) const {
   const ShapeKind kind = splitter_.leaf_kind(range);
   const std::size_t first_row = fragment.rows.size();
-  fragment.rows.resize(first_row + leaf_rows(kind));
-  splitter_.write_leaf(range, fragment.rows.data() + first_row);
+  fragment.rows.resize(first_row + leaf_rows(kind, form_));
+  splitter_.write_leaf(range, fragment.rows.data() + first_row, form_);
   return ChildRef::leaf(kind, first_row);
 }
 
@@ -129,7 +130,9 @@ void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
 // Joins the fragments, tree after tree and depth first, into the finished arrays.
 class Joiner {
  public:
-  Joiner(std::vector<Fragment>& roots, bool gives_back) : gives_back_(gives_back) {
+  // After compact leaves stands a row of zeros: some kernels read the fifth row of any leaf.
+  Joiner(std::vector<Fragment>& roots, LeafForm form, bool gives_back)
+      : form_(form), gives_back_(gives_back), spare_rows_(form == LeafForm::compact ? 1 : 0) {
     for (Fragment& root : roots) place(root);
   }
 
@@ -138,7 +141,8 @@ class Joiner {
   WideBvh join() const {
     if (row_count_ > ChildRef::kMaxRow)
       throw std::length_error("the leaves of the BVH pass 16 GiB");
-    WideBvh bvh{HugeArray<WideNode>(node_count_), HugeArray<LeafRow>(row_count_)};
+    WideBvh bvh{HugeArray<WideNode>(node_count_), HugeArray<LeafRow>(row_count_ + spare_rows_),
+                form_};
     parallel_for_chunks(fragments_.size(), 1,
                         [&](std::size_t i, std::size_t) { take(*fragments_[i], bvh); });
     return bvh;
@@ -179,18 +183,20 @@ class Joiner {
     fragment.nodes = {};
   }
 
+  LeafForm form_;
   bool gives_back_;
+  std::size_t spare_rows_;
   std::vector<Fragment*> fragments_;
   std::size_t node_count_ = 0, row_count_ = 0;
 };
 
 // What there is to build: the tree of the world, then those of the prototypes.
-std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality) {
+std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality, LeafForm form) {
   const PrototypeBoxes boxes = prototype_boxes(scene);
   std::vector<Fragment> roots(1 + scene.prototypes.size());
   const auto build = [&](HugeArray<BuildPrim> prims, Fragment& root) {
     if (prims.size() == 0) return;
-    Builder builder(scene, boxes, std::move(prims), quality);
+    Builder builder(scene, boxes, std::move(prims), quality, form);
     builder.build_top(builder.splitter().whole(), 0, root);
   };
   TaskGroup tasks;
@@ -204,12 +210,13 @@ std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality) {
 
 }  // namespace
 
-WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times, BvhQuality quality) {
+WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times, BvhQuality quality,
+                       LeafForm form) {
   WideBvh bvh;
   const auto build = [&] {
-    std::vector<Fragment> roots = build_trees(scene, quality);
+    std::vector<Fragment> roots = build_trees(scene, quality, form);
     const std::size_t count = scene.object_count() + scene.triangles.size();
-    bvh = Joiner(roots, count >= kGivesBackFrom).join();
+    bvh = Joiner(roots, form, count >= kGivesBackFrom).join();
   };
   run_with_tasks(scene.object_count() + scene.triangles.size(), build, times);
   return bvh;

@@ -14,8 +14,9 @@ namespace dapple {
 struct WideBvh {
   HugeArray<WideNode> nodes;
   HugeArray<LeafRow> rows;
+  LeafForm form = LeafForm::whole;
 
-  WideBvhView view() const { return {nodes.span(), rows.span()}; }
+  WideBvhView view() const { return {nodes.span(), rows.span(), form}; }
 };
 
 // A small range becomes a binary tree from which wide nodes are chosen; a node above those is grown
@@ -23,7 +24,8 @@ struct WideBvh {
 // children or only leaves. The tree is the same for any number of threads. `times`, if given, gets
 // how long each thread was at work.
 [[nodiscard]] WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times = nullptr,
-                                     BvhQuality quality = BvhQuality::medium);
+                                     BvhQuality quality = BvhQuality::medium,
+                                     LeafForm form = LeafForm::whole);
 
 // Gives a tree of the same scene, whose shapes have moved, their new places: leaves keep what they
 // hold, boxes are made anew. Much faster than building; the farther shapes move, the worse the tree

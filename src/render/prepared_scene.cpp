@@ -13,7 +13,7 @@ PreparedScene::PreparedScene(const SceneView& scene, std::unique_ptr<Accel> acce
 
 SurfaceView PreparedScene::surfaces() const {
   SurfaceView view;
-  view.leaf_rows = accel_->leaf_rows();
+  view.leaves = accel_->leaves();
   view.instances = accel_->instances();
   view.materials = materials_.data();
   view.material_count = materials_.size();

@@ -110,7 +110,7 @@ MeshView SurfaceBuilder::mesh(const Accel& accel) const {
     return array.empty() ? nullptr : reinterpret_cast<const float*>(array.data());
   };
   MeshView view;
-  view.leaf_rows = accel.leaf_rows();
+  view.leaves = accel.leaves();
   view.corners = reinterpret_cast<const std::uint32_t*>(scene_.triangles.data());
   view.materials = reinterpret_cast<const std::uint32_t*>(scene_.triangle_materials.data());
   view.normals = floats(scene_.vertices.normals);

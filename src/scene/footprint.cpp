@@ -24,7 +24,8 @@ BytesOfKinds bvh_bytes(const WideBvhView& bvh) {
   const double per_leaf =
       static_cast<double>(bvh.nodes.size_bytes()) / static_cast<double>(leaf_count);
   for (std::size_t k = 0; k < kShapeKindCount; ++k) {
-    const auto rows = static_cast<double>(leaf_rows(static_cast<ShapeKind>(k)) * sizeof(LeafRow));
+    const auto rows =
+        static_cast<double>(leaf_rows(static_cast<ShapeKind>(k), bvh.form) * sizeof(LeafRow));
     bytes[k] = static_cast<double>(leaves[k]) * (rows + per_leaf);
   }
   return bytes;

@@ -6,9 +6,10 @@
 // one of triangles ten            x y z of each vertex, id   (640 bytes),
 // one of cylinders eight          x y z of both ends, radius, id   (512 bytes),
 // one of instances seven          the box in the world: lower x y z, upper x y z, id (448 bytes).
-// Lanes in use come first, by ascending id. The others are shapes that nothing hits: zeros, but for
-// a rectangle u0 = +infinity and u1 = -infinity and for an instance the empty box; their id is
-// kNoPrim.
+// In the compact form a leaf of triangles is only four rows, the indices of the three vertices and
+// the id (256 bytes); the scene has their positions. Lanes in use come first, by ascending id. The
+// others are shapes that nothing hits: zeros, but for a rectangle u0 = +infinity and u1 = -infinity
+// and for an instance the empty box; their id is kNoPrim.
 #pragma once
 
 #include <bit>
@@ -21,15 +22,23 @@ namespace dapple {
 
 inline constexpr std::size_t kLeafWidth = 16;
 
+// What stands in the leaves of triangles.
+enum class LeafForm {
+  whole,    // all coordinates, ready to be tested
+  compact,  // indices of vertices: a third of the memory, slower
+};
+
 // Numbers of a shape; its row of ids follows them.
-constexpr std::size_t leaf_id_row(ShapeKind kind) {
+constexpr std::size_t leaf_id_row(ShapeKind kind, LeafForm form = LeafForm::whole) {
   if (kind == ShapeKind::sphere) return 4;
-  if (kind == ShapeKind::triangle) return 9;
+  if (kind == ShapeKind::triangle) return form == LeafForm::compact ? 3 : 9;
   if (kind == ShapeKind::cylinder) return 7;
   if (kind == ShapeKind::instance) return 6;
   return 5;
 }
-constexpr std::size_t leaf_rows(ShapeKind kind) { return leaf_id_row(kind) + 1; }
+constexpr std::size_t leaf_rows(ShapeKind kind, LeafForm form = LeafForm::whole) {
+  return leaf_id_row(kind, form) + 1;
+}
 inline constexpr std::size_t kMaxLeafRows = 10;
 
 // One row: what leaves are counted and addressed in.
@@ -37,6 +46,15 @@ struct alignas(64) LeafRow {
   std::uint32_t words[kLeafWidth];
 };
 static_assert(sizeof(LeafRow) == 64);
+
+// All that is needed to read leaves.
+struct LeafArrays {
+  const LeafRow* rows = nullptr;
+  const Vec3f* positions = nullptr;  // of the scene's vertices, if the leaves are compact
+  std::uint32_t last_vertex = 0;     // then
+
+  LeafForm form() const { return positions == nullptr ? LeafForm::whole : LeafForm::compact; }
+};
 
 // A leaf, or one lane of it: kind (4 bits), instance (28), first row (28) and lane (4). The lower
 // half counts the words of the rows up to the lane's first number.

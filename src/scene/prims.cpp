@@ -109,11 +109,11 @@ Bounds3f scene_bounds(const SceneView& scene) {
   return all;
 }
 
-void clear_leaf(ShapeKind kind, LeafRow* leaf) {
+void clear_leaf(ShapeKind kind, LeafRow* leaf, LeafForm form) {
   constexpr auto kInfinity = std::bit_cast<std::uint32_t>(Bounds3f::kInfinity);
   constexpr auto kMinusInfinity = std::bit_cast<std::uint32_t>(-Bounds3f::kInfinity);
-  std::fill_n(leaf, leaf_rows(kind), LeafRow{});
-  std::fill_n(leaf[leaf_id_row(kind)].words, kLeafWidth, kNoPrim);
+  std::fill_n(leaf, leaf_rows(kind, form), LeafRow{});
+  std::fill_n(leaf[leaf_id_row(kind, form)].words, kLeafWidth, kNoPrim);
   if (is_rectangle(kind)) {
     std::fill_n(leaf[0].words, kLeafWidth, kInfinity);
     std::fill_n(leaf[1].words, kLeafWidth, kMinusInfinity);
@@ -125,7 +125,7 @@ void clear_leaf(ShapeKind kind, LeafRow* leaf) {
 }
 
 void write_lane(const SceneView& scene, const PrototypeBoxes& prototypes, ShapeKind kind,
-                std::size_t index, PrimId id, LeafRow* leaf, std::size_t lane) {
+                std::size_t index, PrimId id, LeafRow* leaf, std::size_t lane, LeafForm form) {
   LeafRow* row = leaf;
   const auto put = [&](float value) { row++->words[lane] = std::bit_cast<std::uint32_t>(value); };
   const auto put_point = [&](const Vec3f& p) {
@@ -137,7 +137,11 @@ void write_lane(const SceneView& scene, const PrototypeBoxes& prototypes, ShapeK
     put(to_float(s.radius));
   } else if (kind == ShapeKind::triangle) {
     for (const std::uint32_t vertex : scene.triangles[index].vertices) {
-      put_point(scene.vertices.positions[vertex]);
+      if (form == LeafForm::compact) {
+        row++->words[lane] = vertex;
+      } else {
+        put_point(scene.vertices.positions[vertex]);
+      }
     }
   } else if (kind == ShapeKind::cylinder) {
     const Cylinder& c = scene.cylinders[index];

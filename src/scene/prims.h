@@ -29,11 +29,12 @@ using PrototypeBoxes = std::vector<Bounds3f>;
 // Of all that stands in the world.
 [[nodiscard]] Bounds3f scene_bounds(const SceneView& scene);
 
-// Makes a leaf of no primitives out of `leaf_rows(kind)` rows.
-void clear_leaf(ShapeKind kind, LeafRow* leaf);
+// Makes a leaf of no primitives out of `leaf_rows(kind, form)` rows.
+void clear_leaf(ShapeKind kind, LeafRow* leaf, LeafForm form = LeafForm::whole);
 
 // Writes shape `index` of `kind` as primitive `id` into a lane of the leaf that begins at `leaf`.
 void write_lane(const SceneView& scene, const PrototypeBoxes& prototypes, ShapeKind kind,
-                std::size_t index, PrimId id, LeafRow* leaf, std::size_t lane);
+                std::size_t index, PrimId id, LeafRow* leaf, std::size_t lane,
+                LeafForm form = LeafForm::whole);
 
 }  // namespace dapple

@@ -59,6 +59,7 @@ static_assert(sizeof(WideNode) == 448);
 struct WideBvhView {
   std::span<const WideNode> nodes;
   std::span<const LeafRow> rows;
+  LeafForm form = LeafForm::whole;
 
   bool empty() const { return nodes.empty(); }
 };

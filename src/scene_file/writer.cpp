@@ -156,6 +156,9 @@ Status write_sections(std::span<const Section> sections, std::span<const Section
 
 Status validate_bvh(const SceneView& scene) {
   if (scene.bvh.empty()) return {};
+  if (scene.bvh.form != LeafForm::whole) {
+    return fail(Errc::usage, "BVH", "the compact form cannot be stored");
+  }
   const BvhDamage damage = BvhVerifier(scene.bvh, scene).check_everything();
   if (damage.ok()) return {};
   return fail(Errc::bad_data, "BVH", fmt::format("node {}: {}", damage.node, damage.reason));

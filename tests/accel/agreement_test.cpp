@@ -2,6 +2,8 @@
 // find differences.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "accel/accel.h"
 #include "accel/kernels/dispatch.h"
 #include "math/random.h"
@@ -13,7 +15,21 @@
 namespace dapple::test {
 namespace {
 
-constexpr AccelKind kKinds[] = {AccelKind::linear, AccelKind::median, AccelKind::fast};
+struct Structure {
+  AccelKind kind;
+  LeafForm form = LeafForm::whole;
+
+  std::unique_ptr<Accel> over(const SceneView& scene) const {
+    return make_accel(kind, scene, BvhQuality::medium, form);
+  }
+  std::string name() const {
+    return std::string(accel_name(kind)) + (form == LeafForm::compact ? ", compact" : "");
+  }
+};
+constexpr Structure kStructures[] = {{AccelKind::linear},
+                                     {AccelKind::median},
+                                     {AccelKind::fast},
+                                     {AccelKind::fast, LeafForm::compact}};
 
 constexpr std::size_t kShards = 8;
 constexpr std::size_t kScenesPerShard = 100;
@@ -65,14 +81,15 @@ void expect_same(const Answers& expected, const Answers& actual, const std::vect
 // Every structure on every instruction set against the definition.
 void expect_all_agree(const Scene& scene, const std::vector<Ray>& rays, const std::string& what) {
   const Answers expected = oracle_answers(scene, rays);
-  for (const AccelKind kind : kKinds) {
-    const auto accel = make_accel(kind, scene);
+  for (const Structure& structure : kStructures) {
+    const auto accel = structure.over(scene);
     for (const std::string_view isa : available_isas()) {
-      if (kind == AccelKind::median && isa != available_isas().front()) continue;  // scalar
+      if (structure.kind == AccelKind::median && isa != available_isas().front())
+        continue;  // scalar
       ASSERT_TRUE(force_isa(isa));
       ASSERT_EQ(kernels().isa, isa);
       expect_same(expected, answers_of(*accel, rays), rays,
-                  what + ", " + std::string(accel_name(kind)) + " on " + std::string(isa));
+                  what + ", " + structure.name() + " on " + std::string(isa));
     }
   }
   ASSERT_TRUE(force_isa(available_isas().front()));
@@ -152,8 +169,8 @@ TEST(Ties, TheLowestIdWins) {
   NastyConfig config;
   const auto rays = nasty_rays(scene, config, 20'000, 3);
   expect_all_agree(scene, rays, "coincident objects");
-  for (const AccelKind kind : kKinds) {
-    const auto accel = make_accel(kind, scene);
+  for (const Structure& structure : kStructures) {
+    const auto accel = structure.over(scene);
     Ray ray;
     ray.origin = {0.1f, 0.2f, -9};
     ray.direction = {0, 0, 1};
@@ -168,8 +185,8 @@ TEST(Streams, LengthAndOrderMakeNoDifference) {
   const NastyConfig config;
   const Scene scene = nasty_scene(config, 5);
   auto rays = nasty_rays(scene, config, 1000, 5);
-  for (const AccelKind kind : kKinds) {
-    const auto accel = make_accel(kind, scene);
+  for (const Structure& structure : kStructures) {
+    const auto accel = structure.over(scene);
     const Answers whole = answers_of(*accel, rays);
     for (const std::size_t length : {1u, 3u, 16u, 333u}) {
       std::vector<Hit> hits(rays.size());
@@ -177,7 +194,7 @@ TEST(Streams, LengthAndOrderMakeNoDifference) {
         const std::size_t n = std::min(length, rays.size() - i);
         accel->intersect(std::span(rays).subspan(i, n), std::span(hits).subspan(i, n));
       }
-      EXPECT_EQ(hits, whole.hits) << accel_name(kind) << ", length " << length;
+      EXPECT_EQ(hits, whole.hits) << structure.name() << ", length " << length;
     }
     for (std::size_t i = rays.size(); i-- > 0;) {
       ASSERT_EQ(accel->intersect(rays[i]), whole.hits[i]);

@@ -16,6 +16,7 @@ namespace dapple::test {
 namespace {
 
 constexpr BvhQuality kQualities[] = {BvhQuality::low, BvhQuality::medium, BvhQuality::high};
+constexpr LeafForm kForms[] = {LeafForm::whole, LeafForm::compact};
 
 Scene bumpy_mesh() {
   Scene scene;
@@ -62,22 +63,24 @@ TEST(Refit, OfAnUnmovedSceneChangesNothing) {
   config.shapes = Shapes::everything;
   config.object_count = 3000;
   const Scene scene = nasty_scene(config, 8);
-  const WideBvh built = build_wide_bvh(scene);
-  WideBvh fitted = build_wide_bvh(scene);
-  refit_wide_bvh(scene, fitted);
-  const auto expected = built.view(), actual = fitted.view();
-  EXPECT_EQ(std::memcmp(actual.nodes.data(), expected.nodes.data(), expected.nodes.size_bytes()),
-            0);
-  EXPECT_EQ(std::memcmp(actual.rows.data(), expected.rows.data(), expected.rows.size_bytes()), 0);
+  for (const LeafForm form : kForms) {
+    const WideBvh built = build_wide_bvh(scene, nullptr, BvhQuality::medium, form);
+    WideBvh fitted = build_wide_bvh(scene, nullptr, BvhQuality::medium, form);
+    refit_wide_bvh(scene, fitted);
+    const auto expected = built.view(), actual = fitted.view();
+    EXPECT_EQ(std::memcmp(actual.nodes.data(), expected.nodes.data(), expected.nodes.size_bytes()),
+              0);
+    EXPECT_EQ(std::memcmp(actual.rows.data(), expected.rows.data(), expected.rows.size_bytes()), 0);
+  }
 }
 
 TEST(Refit, FindsTheHitsOfTheMovedScene) {
   NastyConfig config;
   config.shapes = Shapes::everything;
   config.object_count = 500;
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
     Scene scene = nasty_scene(config, seed);
-    WideBvh bvh = build_wide_bvh(scene);
+    WideBvh bvh = build_wide_bvh(scene, nullptr, BvhQuality::medium, kForms[seed % 2]);
     for (std::size_t i = 0; i < scene.vertices.positions.size(); ++i) {
       Vec3f& p = scene.vertices.positions[i];
       p = Vec3f(p.y, -p.x, p.z + 0.1f * static_cast<float>(i % 7));

@@ -1,6 +1,8 @@
 // `dapple render` with models, from outside: the size of pictures, and what broken files lead to.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +53,42 @@ TEST(RenderModels, APictureHasTheShapeThatItsCameraIsMeantFor) {
   EXPECT_EQ(size_of_picture(folder, "cameras.gltf", {"--width=40", "--camera=1"}), Size(40, 600));
   EXPECT_EQ(size_of_picture(folder, "cameras.gltf", {"--width=40", "--orbit=0,90,2"}),
             Size(40, 600));
+}
+
+// A grid of triangles with bumps.
+std::string grid_of_triangles(int side) {
+  std::string text;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) text += fmt::format("v {} {} {}\n", x, y, (x * y) % 3);
+  }
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const int a = y * (side + 1) + x + 1, b = a + side + 1;
+      text += fmt::format("f {} {} {}\nf {} {} {}\n", a, a + 1, b + 1, a, b + 1, b);
+    }
+  }
+  return text;
+}
+
+TEST(RenderModels, ACompactBvhGivesTheSamePicture) {
+  const TestFolder folder;
+  folder.write("grid.obj", grid_of_triangles(30));
+  size_of_picture(folder, "grid.obj", {"--width=40", "--height=30"});
+  const std::string expected = folder.read("out.pfm");
+  size_of_picture(folder, "grid.obj", {"--width=40", "--height=30", "--bvh-compact"});
+  EXPECT_EQ(folder.read("out.pfm"), expected);
+}
+
+TEST(BenchModels, ACompactBvhTakesLess) {
+  const TestFolder folder;
+  folder.write("grid.obj", grid_of_triangles(60));
+  const auto bytes_each = [&](const Words& more) -> double {
+    Words words = {"dapple", "bench", "grid.obj", "--width=8", "--height=8", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return json::parse(folder.run(words).out)["accels"][0]["bytes_per_object"];
+  };
+  EXPECT_LE(bytes_each({"--bvh-compact"}), 36);
+  EXPECT_GT(bytes_each({}), 36);
 }
 
 // What went wrong, and whether a picture was written.

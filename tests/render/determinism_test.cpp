@@ -11,6 +11,7 @@
 #include "render/classic_paths.h"
 #include "render/render_job.h"
 #include "scene/named_scenes.h"
+#include "tests/scenes/meshes.h"
 #include "tests/scenes/picture_scenes.h"
 
 namespace dapple::test {
@@ -33,8 +34,9 @@ std::vector<PictureScene> scenes() {
   return result;
 }
 
-Image picture(const Scene& scene, AccelKind kind, const RenderSettings& settings) {
-  const PreparedScene prepared(scene, make_accel(kind, scene));
+Image picture(const Scene& scene, AccelKind kind, const RenderSettings& settings,
+              LeafForm form = LeafForm::whole) {
+  const PreparedScene prepared(scene, make_accel(kind, scene, BvhQuality::medium, form));
   auto result = render(prepared, settings);
   EXPECT_TRUE(result);
   EXPECT_EQ(result->dropped_samples, 0u);
@@ -165,6 +167,22 @@ TEST(Determinism, PicturesOfModelsToo) {
   }
   ASSERT_TRUE(force_isa(available_isas().front()));
   set_thread_count(0);
+}
+
+TEST(Determinism, CompactLeavesMakeNoDifference) {
+  const Scene lit = lit_scene(), classic = make_named_scene("nice").value();
+  for (Scene scene : {lit, classic}) {
+    const MaterialId material = scene.add_material(Lambertian{{0.7f, 0.5f, 0.3f}});
+    add_cube_mesh({{0, -2, -3}, 1.5f, 12, 1, 0.2f}, material, scene);
+    add_cube_mesh({{1, 2, -5}, 1, 1, 0, 0}, material, scene);
+    const Image expected = picture(scene, AccelKind::linear, small_picture());
+    for (const std::string_view isa : available_isas()) {
+      ASSERT_TRUE(force_isa(isa));
+      const Image image = picture(scene, AccelKind::fast, small_picture(), LeafForm::compact);
+      EXPECT_EQ(image.pixels, expected.pixels) << isa;
+    }
+    ASSERT_TRUE(force_isa(available_isas().front()));
+  }
 }
 
 // A picture of more samples begins with those of a smaller one: what was rendered once can be

@@ -137,28 +137,33 @@ Scene random_scene(std::mt19937_64& random, int object_count, int material_count
   return scene;
 }
 
-// Both ways of rendering some tiles, on every instruction set.
+// Both ways of rendering some tiles, on every instruction set, and with compact leaves.
 void expect_scalar_sums(const Scene& scene, const std::string& name) {
   RenderSettings settings;
   settings.width = 61;
   settings.height = 47;
   settings.samples_per_pixel = 3;
   settings.seed = 0x123456789abcdefu;
-  const PreparedScene prepared(scene, make_accel(AccelKind::fast, scene));
+  const auto prepare = [&](LeafForm form) {
+    return PreparedScene(scene, make_accel(AccelKind::fast, scene, BvhQuality::medium, form));
+  };
+  const PreparedScene prepared = prepare(LeafForm::whole), compact = prepare(LeafForm::compact);
   const auto camera = CameraRays::create(scene.camera, settings);
   ASSERT_TRUE(camera);
   const ScalarPaths scalar(prepared, *camera, settings);
-  const ClassicPaths paths(prepared, *camera, settings);
+  const ClassicPaths both_paths[] = {{prepared, *camera, settings}, {compact, *camera, settings}};
   for (const Tile& tile : {Tile{0, 0, 61, 47}, Tile{7, 3, 8, 4}, Tile{30, 20, 47, 29}}) {
     TileSums expected(tile);
     scalar.render({1, 3}, expected);
     for (const std::string_view isa : available_isas()) {
       ASSERT_TRUE(force_isa(isa));
-      TileOutput output{TileSums(tile), std::nullopt};
-      paths.render({1, 3}, output);
-      const TileSums& sums = output.colour;
-      EXPECT_EQ(sums.dropped(), expected.dropped()) << name << ", " << isa;
-      EXPECT_TRUE(std::ranges::equal(sums.sums(), expected.sums())) << name << ", " << isa;
+      for (const ClassicPaths& paths : both_paths) {
+        TileOutput output{TileSums(tile), std::nullopt};
+        paths.render({1, 3}, output);
+        const TileSums& sums = output.colour;
+        EXPECT_EQ(sums.dropped(), expected.dropped()) << name << ", " << isa;
+        EXPECT_TRUE(std::ranges::equal(sums.sums(), expected.sums())) << name << ", " << isa;
+      }
     }
     ASSERT_TRUE(force_isa(available_isas().front()));
   }

@@ -176,7 +176,8 @@ TEST(SurfaceKernels, DescribeSurfacesAsTheScalarBuilder) {
   for (int round = 0; round < 12; ++round) {
     const Scene scene =
         random_mesh(chance, round % 2 == 0, round % 3 == 0, round % 4 % 3, round % 5 == 0);
-    const auto accel = make_accel(AccelKind::fast, scene);
+    const auto accel = make_accel(AccelKind::fast, scene, BvhQuality::medium,
+                                  round % 4 < 2 ? LeafForm::whole : LeafForm::compact);
     const SurfaceBuilder builder(scene);
     std::vector<Ray> rays;
     std::vector<Hit> hits;

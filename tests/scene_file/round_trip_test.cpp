@@ -118,6 +118,18 @@ TEST(RoundTrip, ObjectOrderAndSharedMaterialsAreKept) {
             1u);
 }
 
+TEST(Writer, RefusesCompactLeaves) {
+  const Scene scene = *make_named_scene("nice");
+  auto bvh = test::build_small_bvh(scene, 16, 16);
+  SceneView view = scene;
+  view.bvh = bvh.view();
+  EXPECT_TRUE(write_scene_bytes(view, [](auto) { return Status(); }));
+  view.bvh.form = LeafForm::compact;
+  const auto status = write_scene_bytes(view, [](auto) { return Status(); });
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, Errc::usage);
+}
+
 TEST(Writer, SameBytesOnAnyNumberOfThreads) {
   const Scene scene = *make_named_scene("spheres:150000");
   const auto expected = test::scene_bytes(scene);

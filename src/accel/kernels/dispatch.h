@@ -18,7 +18,14 @@ namespace dapple {
 
 // What the leaves hold that a ray meets before it enters an instance. Where that is known, kernels
 // do without asking each leaf.
-enum class LeafKinds { any, spheres, triangles };
+enum class LeafKinds {
+  any,
+  spheres,
+  triangles,
+  compact_any,  // with triangles in the compact form
+  compact_triangles,
+};
+[[nodiscard]] constexpr bool is_compact(LeafKinds kinds) { return kinds >= LeafKinds::compact_any; }
 [[nodiscard]] LeafKinds leaf_kinds(const SceneView& scene);
 
 // The instances of a scene as a structure keeps them.
@@ -37,7 +44,12 @@ struct LinearView : InstanceView {
 
 // The tree of the world begins at node 0, that of an instance where its content says.
 struct WideView : InstanceView, WideBvhView {
-  bool far = false;  // more than the second-level cache holds
+  bool far = false;                  // more than the second-level cache holds
+  std::span<const Vec3f> positions;  // of the scene's vertices, if the leaves are compact
+
+  LeafArrays leaves() const {
+    return {rows.data(), positions.data(), static_cast<std::uint32_t>(positions.size() - 1)};
+  }
 };
 
 struct KernelTable {

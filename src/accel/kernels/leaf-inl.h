@@ -1,6 +1,7 @@
 // Whole leaves at once: the tests of intersect_scalar.h, operation for operation, on vectors.
 #include "accel/hit.h"
 #include "accel/intersect_cylinder.h"
+#include "accel/kernels/compact_leaf-inl.h"
 #include "accel/kernels/dispatch.h"
 #include "accel/kernels/simd-inl.h"
 #include "scene/leaf.h"
@@ -225,11 +226,19 @@ HWY_INLINE LaneHits intersect_cylinders(const PreparedRay& ray, const LeafRow* l
   return {hn::Ge(hit, hn::Zero(d)), hit};
 }
 
+// As variables these are known before anything is compiled: as functions they change the code of
+// kernels that need not ask.
+template <LeafKinds kKinds>
+inline constexpr bool kTrianglesOnly =
+    kKinds == LeafKinds::triangles || kKinds == LeafKinds::compact_triangles;
+template <LeafKinds kKinds>
+inline constexpr bool kAnyKinds = kKinds == LeafKinds::any || kKinds == LeafKinds::compact_any;
+
 template <LeafKinds kKinds>
 HWY_INLINE LaneHits intersect_lanes(const PreparedRay& ray, ShapeKind kind, const LeafRow* leaf,
                                     std::size_t i, float t_best) {
   if (kKinds == LeafKinds::spheres) return intersect_spheres(ray, leaf, i, t_best);
-  if (kKinds == LeafKinds::triangles) return intersect_triangles(ray, leaf, i, t_best);
+  if (kTrianglesOnly<kKinds>) return intersect_triangles(ray, leaf, i, t_best);
   if (HWY_LIKELY(kind == ShapeKind::sphere)) return intersect_spheres(ray, leaf, i, t_best);
   if (HWY_LIKELY(kind == ShapeKind::triangle)) return intersect_triangles(ray, leaf, i, t_best);
   if (kind == ShapeKind::cylinder) return intersect_cylinders(ray, leaf, i, t_best);
@@ -277,12 +286,38 @@ HWY_INLINE void for_each_instance(const PreparedRay& ray, const LeafRow* leaf, f
   }
 }
 
+// Where the numbers of a leaf stand ready to be tested: in the leaf ...
+template <LeafKinds kKinds>
+struct ReadyLeaf {
+  HWY_INLINE const LeafRow* of(LeafRef leaf, LeafArrays leaves) {
+    return leaves.rows + leaf.first_row();
+  }
+};
+
+// ... or here, after it was made whole.
+template <bool kOnly>
+struct LeafMadeWhole {
+  WholeTriangles whole;
+
+  HWY_INLINE const LeafRow* of(LeafRef leaf, LeafArrays leaves) {
+    const LeafRow* begin = leaves.rows + leaf.first_row();
+    if (!kOnly && leaf.kind() != ShapeKind::triangle) return begin;
+    make_whole(begin, leaves, whole);
+    return whole.rows;
+  }
+};
+template <>
+struct ReadyLeaf<LeafKinds::compact_any> : LeafMadeWhole<false> {};
+template <>
+struct ReadyLeaf<LeafKinds::compact_triangles> : LeafMadeWhole<true> {};
+
 // inside.find(ray, id, entry, best) looks into an instance.
 template <LeafKinds kKinds, class Inside>
-HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
+HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, LeafArrays leaves,
                                const Inside& inside, Hit& best) {
-  const LeafRow* begin = rows + leaf.first_row();
-  if (kKinds == LeafKinds::any && HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
+  ReadyLeaf<kKinds> ready;
+  const LeafRow* begin = ready.of(leaf, leaves);
+  if (kAnyKinds<kKinds> && HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
     for_each_instance(ray, begin, best.t, [&](PrimId id, float entry) {
       if (entry <= best.t) inside.find(ray, id, entry, best);
       return true;
@@ -296,11 +331,12 @@ HWY_INLINE void intersect_leaf(const PreparedRay& ray, LeafRef leaf, const LeafR
 }
 
 template <LeafKinds kKinds, class Inside>
-HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, const LeafRow* rows,
+HWY_INLINE bool leaf_occludes(const PreparedRay& ray, LeafRef leaf, LeafArrays leaves,
                               const Inside& inside) {
-  const LeafRow* begin = rows + leaf.first_row();
+  ReadyLeaf<kKinds> ready;
+  const LeafRow* begin = ready.of(leaf, leaves);
   bool occluded = false;
-  if (kKinds == LeafKinds::any && HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
+  if (kAnyKinds<kKinds> && HWY_UNLIKELY(leaf.kind() == ShapeKind::instance)) {
     for_each_instance(ray, begin, ray.t_max, [&](PrimId id, float) {
       occluded = inside.occludes(ray, id);
       return !occluded;

@@ -27,7 +27,8 @@ struct InsideLinear {
     Hit inside = nothing_before(within.t_max < best.t ? within.t_max : best.t);
     const std::span<const LeafRef> leaves = view.prototypes[placed.content];
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-      intersect_leaf<LeafKinds::triangles>(within, leaves[i], view.rows, NothingInside(), inside);
+      intersect_leaf<LeafKinds::triangles>(within, leaves[i], LeafArrays{view.rows},
+                                           NothingInside(), inside);
     }
     keep_seen_through(id - view.first_id, entry, inside, best);
   }
@@ -39,7 +40,8 @@ struct InsideLinear {
     const std::span<const LeafRef> leaves = view.prototypes[placed.content];
     bool occluded = false;
     for (std::size_t i = 0; i < leaves.size() && !occluded; ++i) {
-      occluded = leaf_occludes<LeafKinds::triangles>(within, leaves[i], view.rows, NothingInside());
+      occluded = leaf_occludes<LeafKinds::triangles>(within, leaves[i], LeafArrays{view.rows},
+                                                     NothingInside());
     }
     return occluded;
   }
@@ -52,7 +54,7 @@ HWY_INLINE void intersect_all(const LinearView& view, const Ray* rays, Hit* hits
     const PreparedRay ray = prepare(rays[r]);
     Hit best = nothing_before(ray.t_max);
     for (std::size_t i = 0; i < view.leaves.size(); ++i) {
-      intersect_leaf<kKinds>(ray, view.leaves[i], view.rows, InsideLinear{view}, best);
+      intersect_leaf<kKinds>(ray, view.leaves[i], LeafArrays{view.rows}, InsideLinear{view}, best);
     }
     hits[r] = finished(best);
   }
@@ -65,7 +67,7 @@ HWY_INLINE void occluded_by_any(const LinearView& view, const Ray* rays, std::ui
     const PreparedRay ray = prepare(rays[r]);
     bool found = false;
     for (std::size_t i = 0; i < view.leaves.size() && !found; ++i) {
-      found = leaf_occludes<kKinds>(ray, view.leaves[i], view.rows, InsideLinear{view});
+      found = leaf_occludes<kKinds>(ray, view.leaves[i], LeafArrays{view.rows}, InsideLinear{view});
     }
     occluded[r] = found ? 1 : 0;
   }
@@ -78,7 +80,7 @@ HWY_ATTR void intersect_linear(const LinearView& view, const Ray* rays, Hit* hit
       return intersect_all<LeafKinds::spheres>(view, rays, hits, count);
     case LeafKinds::triangles:
       return intersect_all<LeafKinds::triangles>(view, rays, hits, count);
-    case LeafKinds::any:
+    default:
       return intersect_all<LeafKinds::any>(view, rays, hits, count);
   }
 }
@@ -90,7 +92,7 @@ HWY_ATTR void occluded_linear(const LinearView& view, const Ray* rays, std::uint
       return occluded_by_any<LeafKinds::spheres>(view, rays, occluded, count);
     case LeafKinds::triangles:
       return occluded_by_any<LeafKinds::triangles>(view, rays, occluded, count);
-    case LeafKinds::any:
+    default:
       return occluded_by_any<LeafKinds::any>(view, rays, occluded, count);
   }
 }

@@ -1,5 +1,6 @@
 // Accel::locate for one hit a lane, operation for operation.
 #include "accel/accel.h"
+#include "accel/kernels/positions-inl.h"
 #include "accel/locate.h"
 #include "accel/prepared_ray.h"
 #include "math/simd-inl.h"
@@ -31,29 +32,46 @@ struct SurfacePointVec {
 struct LeafWords {
   const std::uint32_t* words;
   WordVec index;
-  bool near;  // all indices are small enough for a gather
+  bool near;               // all indices are small enough for a gather
+  const Vec3f* positions;  // if the leaves are compact
+  std::uint32_t last_vertex;
 };
 
-HWY_INLINE LeafWords leaf_words(const LeafRow* rows, const HitVec& hit) {
+HWY_INLINE LeafWords leaf_words(const LeafArrays& leaves, const HitVec& hit) {
   const Words d;
   // The farthest number of a leaf stands less than kMaxLeafRows on.
   const WordVec last = hn::Add(hit.lane_low, all_words(kMaxLeafRows * kLeafWidth));
   const WordVec outside = hn::ShiftRight<31>(hn::Or(hit.lane_low, last));
-  return {rows->words, hit.lane_low, hn::AllTrue(d, hn::Eq(outside, hn::Zero(d)))};
+  return {leaves.rows->words, hit.lane_low, hn::AllTrue(d, hn::Eq(outside, hn::Zero(d))),
+          leaves.positions, leaves.last_vertex};
 }
 
-HWY_INLINE FloatVec gather_far(const LeafWords& leaf, std::size_t row) {
+HWY_INLINE WordVec gather_far(const LeafWords& leaf, std::size_t row) {
   HWY_ALIGN std::uint32_t index[kLanes], result[kLanes];
   hn::Store(leaf.index, Words(), index);
   for (std::size_t i = 0; i < kLanes; ++i) {
     result[i] = leaf.words[std::size_t{index[i]} + row * kLeafWidth];
   }
-  return floats_of_bits(hn::Load(Words(), result));
+  return hn::Load(Words(), result);
 }
 
-HWY_INLINE FloatVec leaf_floats(const LeafWords& leaf, std::size_t row) {
+HWY_INLINE WordVec leaf_words(const LeafWords& leaf, std::size_t row) {
   if (HWY_UNLIKELY(!leaf.near)) return gather_far(leaf, row);
-  return floats_of_bits(gather(leaf.words + row * kLeafWidth, leaf.index));
+  return gather(leaf.words + row * kLeafWidth, leaf.index);
+}
+HWY_INLINE FloatVec leaf_floats(const LeafWords& leaf, std::size_t row) {
+  return floats_of_bits(leaf_words(leaf, row));
+}
+
+// A vertex of triangles, the i-th of three. What a lane without a triangle takes for its index must
+// be one all the same.
+HWY_INLINE FloatVec3 corner_of_triangles(const LeafWords& leaf, std::size_t i) {
+  if (leaf.positions == nullptr) {
+    return {leaf_floats(leaf, 3 * i), leaf_floats(leaf, 3 * i + 1), leaf_floats(leaf, 3 * i + 2)};
+  }
+  HWY_ALIGN std::uint32_t vertices[kLanes];
+  hn::Store(hn::Min(leaf_words(leaf, i), all_words(leaf.last_vertex)), Words(), vertices);
+  return load_positions<AfterLast::nothing>(leaf.positions, vertices);
 }
 
 HWY_INLINE SurfacePointVec locate_on_spheres(const HitVec& hit, const LeafWords& leaf) {
@@ -107,9 +125,8 @@ HWY_INLINE FrameAxes frame_axes(FloatVec3 direction) {
 }
 
 HWY_INLINE SurfacePointVec locate_on_triangles(const HitVec& hit, const LeafWords& leaf) {
-  const FloatVec3 corners[3] = {{leaf_floats(leaf, 0), leaf_floats(leaf, 1), leaf_floats(leaf, 2)},
-                                {leaf_floats(leaf, 3), leaf_floats(leaf, 4), leaf_floats(leaf, 5)},
-                                {leaf_floats(leaf, 6), leaf_floats(leaf, 7), leaf_floats(leaf, 8)}};
+  const FloatVec3 corners[3] = {corner_of_triangles(leaf, 0), corner_of_triangles(leaf, 1),
+                                corner_of_triangles(leaf, 2)};
   const FrameAxes axes = frame_axes(hit.direction);
   const FloatVec3 direction = axes(hit.direction), origin = axes(hit.origin);
   const FloatVec smallest = all(kSmallestDirection);
@@ -153,8 +170,9 @@ HWY_INLINE SurfacePointVec select(FloatMask mask, const SurfacePointVec& yes,
 }
 
 // Lanes of `there` one by one, by the scalar definition.
-HWY_INLINE SurfacePointVec locate_one_by_one(const LeafRow* rows, const PlacedInstance* instances,
-                                             const HitVec& hit, FloatMask there) {
+HWY_INLINE SurfacePointVec locate_one_by_one(const LeafArrays& leaves,
+                                             const PlacedInstance* instances, const HitVec& hit,
+                                             FloatMask there) {
   const Floats d;
   const Words w;
   HWY_ALIGN float numbers[7][kLanes];
@@ -166,16 +184,16 @@ HWY_INLINE SurfacePointVec locate_one_by_one(const LeafRow* rows, const PlacedIn
   hn::Store(hn::IfThenElseZero(word_mask(there), hit.lane_high), w, high);
   for (std::size_t i = 0; i < kLanes; ++i) {
     if ((low[i] | high[i]) == 0) continue;
-    locate_lane(rows, instances, numbers[0] + i, kLanes, std::uint64_t{high[i]} << 32 | low[i]);
+    locate_lane(leaves, instances, numbers[0] + i, kLanes, std::uint64_t{high[i]} << 32 | low[i]);
   }
   const auto result = [&](std::size_t i) { return hn::Load(d, numbers[i]); };
   return {{result(0), result(1), result(2)}, {result(3), result(4), result(5)}, result(6)};
 }
 
-HWY_INLINE SurfacePointVec locate(const LeafRow* rows, const PlacedInstance* instances,
+HWY_INLINE SurfacePointVec locate(const LeafArrays& leaves, const PlacedInstance* instances,
                                   const HitVec& hit) {
   const Words d;
-  const LeafWords leaf = leaf_words(rows, hit);
+  const LeafWords leaf = leaf_words(leaves, hit);
   const WordVec kind = hn::ShiftRight<28>(hit.lane_high);
   const FloatMask sphere = float_mask(hn::Eq(kind, hn::Zero(d)));
   if (HWY_LIKELY(hn::AllTrue(Floats(), sphere))) return locate_on_spheres(hit, leaf);
@@ -185,11 +203,11 @@ HWY_INLINE SurfacePointVec locate(const LeafRow* rows, const PlacedInstance* ins
   if (any(triangle)) {
     // A triangle has more rows than others, which need not exist for a leaf of those.
     const LeafWords of_triangles = {leaf.words, hn::IfThenElseZero(word_mask(triangle), leaf.index),
-                                    leaf.near};
+                                    leaf.near, leaf.positions, leaf.last_vertex};
     at = select(triangle, locate_on_triangles(hit, of_triangles), at);
   }
   const FloatMask seldom = float_mask(hn::Gt(hit.lane_high, all_words(triangle_kind << 28)));
-  if (any(seldom)) at = select(seldom, locate_one_by_one(rows, instances, hit, seldom), at);
+  if (any(seldom)) at = select(seldom, locate_one_by_one(leaves, instances, hit, seldom), at);
   if (any(sphere)) at = select(sphere, locate_on_spheres(hit, leaf), at);
   return at;
 }

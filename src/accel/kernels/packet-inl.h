@@ -81,7 +81,7 @@ HWY_NOINLINE bool search_packet(const WideView& bvh, const Ray* rays, PacketSear
       const ShapeKind kind = current.leaf_kind();
       if (kKinds == LeafKinds::any && kind > ShapeKind::triangle) return false;  // not for packets
       if (kind == ShapeKind::triangle && !bounds.one_axis) return false;
-      work += kNodeWork + visit_leaf<kKinds, kAnyHit>(bounds, current, bvh.rows.data(), packet);
+      work += kNodeWork + visit_leaf<kKinds, kAnyHit>(bounds, current, bvh.leaves(), packet);
       bounds.t_best = extent_of(packet.best_t).high;
     } else {
       work += kNodeWork;

@@ -60,15 +60,20 @@ HWY_INLINE int visit_rectangles(const PacketBounds& bounds, ChildRef ref, const 
 
 // Returns the work done.
 template <LeafKinds kKinds, bool kAnyHit, class Packet>
-HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafRow* rows,
+HWY_INLINE int visit_leaf(const PacketBounds& bounds, ChildRef ref, const LeafArrays& leaves,
                           Packet& packet) {
-  const LeafRow* leaf = rows + ref.leaf_row();
+  const LeafRow* leaf = leaves.rows + ref.leaf_row();
   const ShapeKind kind = kKinds == LeafKinds::spheres     ? ShapeKind::sphere
                          : kKinds == LeafKinds::triangles ? ShapeKind::triangle
                                                           : ref.leaf_kind();
   if (kind == ShapeKind::sphere) return visit_spheres<kAnyHit>(bounds, ref, leaf, packet);
-  if (kind == ShapeKind::triangle) return visit_triangles<kAnyHit>(bounds, ref, leaf, packet);
-  return visit_rectangles<kAnyHit>(bounds, ref, leaf, packet);
+  if (kind != ShapeKind::triangle) return visit_rectangles<kAnyHit>(bounds, ref, leaf, packet);
+  WholeTriangles room;
+  if (kKinds == LeafKinds::any && leaves.positions != nullptr) {
+    make_whole(leaf, leaves, room);
+    leaf = room.rows;
+  }
+  return visit_triangles<kAnyHit>(bounds, ref, leaf, packet);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,12 +35,11 @@ HWY_INLINE void save(const PassedTriangles& triangles, Passed& passed) {
   passed.mask = triangles.mask;
 }
 
-// Writes what search `id` passes in its leaf, at most kVecsOfLeaf entries, of which it returns the
-// number; the entry behind them is written too.
+// Writes what search `id` passes in its leaf, whose numbers are there, at most kVecsOfLeaf entries,
+// of which it returns the number; the entry behind them is written too.
 template <LeafKinds kKinds>
-HWY_INLINE std::size_t pass_leaf(const Search& search, std::size_t id, const LeafRow* rows,
+HWY_INLINE std::size_t pass_leaf(const Search& search, std::size_t id, const LeafRow* leaf,
                                  Passed* out) {
-  const LeafRow* leaf = rows + search.current.leaf_row();
   std::size_t count = 0;
   for (std::size_t i = 0; i < kLeafWidth; i += kLanes) {
     Passed& passed = out[count];
@@ -76,9 +75,8 @@ HWY_INLINE LaneHits enter_passed(const Passed& passed, const PreparedRay& ray, c
 
 // The second step, which keeps the nearest hit, or for any hit that there is one and ends there.
 template <LeafKinds kKinds, bool kAnyHit>
-HWY_INLINE void finish_leaf(const Passed& passed, const LeafRow* rows, Search& search) {
+HWY_INLINE void finish_leaf(const Passed& passed, const LeafRow* begin, Search& search) {
   const LeafRef leaf = search.current.leaf_ref();
-  const LeafRow* begin = rows + leaf.first_row();
   const LaneHits hits = enter_passed<kKinds>(passed, search.ray, begin, search.best.t);
   const bool found = any(hits.mask);
   if (kAnyHit) {

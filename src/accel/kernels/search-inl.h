@@ -93,9 +93,19 @@ HWY_INLINE void start(const RayBatch& batch, std::size_t place, std::size_t inde
   clear(search.pending);
 }
 
+// What is needed to read leaves of these kinds.
+template <LeafKinds kKinds>
+HWY_INLINE LeafArrays leaves_of(const WideView& bvh) {
+  if constexpr (is_compact(kKinds)) {
+    return bvh.leaves();
+  } else {
+    return {bvh.rows.data()};
+  }
+}
+
 // What a ray finds in the tree of an instance, if that is no farther than `t_best`: one search from
 // beginning to end.
-template <bool kAnyHit>
+template <bool kAnyHit, LeafKinds kKinds>
 HWY_NOINLINE Hit search_instance(const WideView& bvh, const PlacedInstance& instance,
                                  const PreparedRay& ray, float t_best) {
   Search search;
@@ -110,15 +120,18 @@ HWY_NOINLINE Hit search_instance(const WideView& bvh, const PlacedInstance& inst
       visit_node<kAnyHit>(bvh.nodes[current.node_index()], search);
       continue;
     }
-    intersect_leaf<LeafKinds::triangles>(search.ray, current.leaf_ref(), bvh.rows.data(),
-                                         NothingInside(), search.best);
+    intersect_leaf<kKinds>(search.ray, current.leaf_ref(), leaves_of<kKinds>(bvh), NothingInside(),
+                           search.best);
     if (kAnyHit && search.best.prim != kNoPrim) break;
   }
   return search.best;
 }
 
-template <bool kAnyHit>
+// Prototypes hold triangles, in the form of the whole tree.
+template <bool kAnyHit, LeafKinds kKinds>
 struct InsideTree {
+  static constexpr LeafKinds kInside =
+      is_compact(kKinds) ? LeafKinds::compact_triangles : LeafKinds::triangles;
   const WideView& bvh;
 
   HWY_INLINE void find(const PreparedRay& ray, PrimId id, float entry, Hit& best) const {
@@ -126,7 +139,8 @@ struct InsideTree {
     const PlacedInstance& instance = bvh.instances[index];
     if (instance.content == PlacedInstance::kNothing) return;
     if (kAnyHit && best.prim != kNoPrim) return;
-    keep_seen_through(index, entry, search_instance<kAnyHit>(bvh, instance, ray, best.t), best);
+    const Hit inside = search_instance<kAnyHit, kInside>(bvh, instance, ray, best.t);
+    keep_seen_through(index, entry, inside, best);
   }
 };
 

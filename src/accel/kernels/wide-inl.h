@@ -92,24 +92,63 @@ class Starter {
   RayBatch batch_;
 };
 
+// The rows of these leaves have been asked for, and should be here by now.
+HWY_INLINE void prefetch_positions(const WideView& bvh, const Search* searches,
+                                   const Worklists& lists) {
+  for (std::size_t i = 0; i < lists.leaf_count; ++i) {
+    const ChildRef leaf = searches[lists.at_leaf[i]].current;
+    if (leaf.leaf_kind() != ShapeKind::triangle) continue;
+    prefetch_positions(bvh.rows.data() + leaf.leaf_row(), bvh.positions.data());
+  }
+}
+
+// Where the numbers of the leaves stand that searches visit: in the tree ...
+template <LeafKinds kKinds>
+struct VisitedLeaves {
+  const LeafRow* rows;
+
+  HWY_INLINE explicit VisitedLeaves(const WideView& bvh) : rows(bvh.rows.data()) {}
+  HWY_INLINE const LeafRow* first(const Search& search, std::size_t) { return again(search, 0); }
+  HWY_INLINE const LeafRow* again(const Search& search, std::size_t) const {
+    return rows + search.current.leaf_row();
+  }
+};
+
+// ... or here, after they were made whole.
+template <>
+struct VisitedLeaves<LeafKinds::compact_triangles> {
+  const LeafArrays leaves;
+  WholeTriangles whole[kInFlight];
+
+  HWY_INLINE explicit VisitedLeaves(const WideView& bvh) : leaves(bvh.leaves()) {}
+  HWY_INLINE const LeafRow* first(const Search& search, std::size_t id) {
+    make_whole(leaves.rows + search.current.leaf_row(), leaves, whole[id]);
+    return whole[id].rows;
+  }
+  HWY_INLINE const LeafRow* again(const Search&, std::size_t id) const { return whole[id].rows; }
+};
+
 template <LeafKinds kKinds, bool kAnyHit>
 HWY_INLINE void visit_leaves(const WideView& bvh, const Worklists& lists, Search* searches) {
-  if constexpr (kKinds == LeafKinds::any) {
+  if constexpr (kAnyKinds<kKinds>) {
     for (std::size_t i = 0; i < lists.leaf_count; ++i) {
       Search& search = searches[lists.at_leaf[i]];
-      intersect_leaf<kKinds>(search.ray, search.current.leaf_ref(), bvh.rows.data(),
-                             InsideTree<kAnyHit>{bvh}, search.best);
+      intersect_leaf<kKinds>(search.ray, search.current.leaf_ref(), leaves_of<kKinds>(bvh),
+                             InsideTree<kAnyHit, kKinds>{bvh}, search.best);
       if (kAnyHit && search.best.prim != kNoPrim) clear(search.pending);
     }
   } else {
+    VisitedLeaves<kKinds> leaves(bvh);
     Passed passed[kInFlight * kVecsOfLeaf + 1];
     std::size_t count = 0;
     for (std::size_t i = 0; i < lists.leaf_count; ++i) {
       const std::size_t id = lists.at_leaf[i];
-      count += pass_leaf<kKinds>(searches[id], id, bvh.rows.data(), passed + count);
+      const LeafRow* leaf = leaves.first(searches[id], id);
+      count += pass_leaf<kKinds>(searches[id], id, leaf, passed + count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      finish_leaf<kKinds, kAnyHit>(passed[i], bvh.rows.data(), searches[passed[i].search]);
+      const std::size_t id = passed[i].search;
+      finish_leaf<kKinds, kAnyHit>(passed[i], leaves.again(searches[id], id), searches[id]);
     }
   }
 }
@@ -127,6 +166,9 @@ HWY_NOINLINE void trace_singles(const WideView& bvh, const Job& job, const Singl
     now->at_node[now->node_count++] = static_cast<std::uint8_t>(id);
   }
   while (now->node_count + now->leaf_count != 0) {
+    if constexpr (is_compact(kKinds)) {
+      if (bvh.far) prefetch_positions(bvh, searches, *now);
+    }
     for (std::size_t i = 0; i < now->node_count; ++i) {
       Search& search = searches[now->at_node[i]];
       visit_node<kAnyHit>(bvh.nodes[search.current.node_index()], search);
@@ -175,11 +217,16 @@ struct Packets {
   Patience with_large, with_small;
 };
 
+// Packets that are told what leaves hold: those of scenes of one kind that are not compact.
+template <LeafKinds kKinds>
+inline constexpr LeafKinds kPacketKinds =
+    kKinds == LeafKinds::spheres || kKinds == LeafKinds::triangles ? kKinds : LeafKinds::any;
+
 template <LeafKinds kKinds, class Job, std::size_t kSize>
 HWY_INLINE bool try_packet(const WideView& bvh, const Job& job, std::size_t begin,
                            PacketSearch<kSize>& search, Patience& patience) {
   if (!patience.try_now()) return false;
-  const bool worked = trace_packet<kKinds>(bvh, job, begin, search);
+  const bool worked = trace_packet<kPacketKinds<kKinds>>(bvh, job, begin, search);
   patience.learn(worked);
   return worked;
 }
@@ -211,6 +258,10 @@ HWY_INLINE void trace_chunk(const WideView& bvh, const Job& job, std::size_t cou
       return trace_chunk<LeafKinds::triangles>(bvh, job, count, packets);
     case LeafKinds::any:
       return trace_chunk<LeafKinds::any>(bvh, job, count, packets);
+    case LeafKinds::compact_any:
+      return trace_chunk<LeafKinds::compact_any>(bvh, job, count, packets);
+    case LeafKinds::compact_triangles:
+      return trace_chunk<LeafKinds::compact_triangles>(bvh, job, count, packets);
   }
 }
 

@@ -36,7 +36,7 @@ inline constexpr std::size_t kPathPadding = 32;
 
 // What hits are looked up in.
 struct SurfaceView {
-  const LeafRow* leaf_rows = nullptr;
+  LeafArrays leaves;
   const PlacedInstance* instances = nullptr;
   const PackedMaterial* materials = nullptr;
   std::size_t material_count = 0;

@@ -105,7 +105,7 @@ HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::si
   PathVec path = {hits.vector_of(0), hits.vector_of(3), hits.vector_of(6),
                   hits.words_of(9),  hits.words_of(10), hits.words_of(11)};
   const SurfacePointVec at = locate(
-      bounce.surfaces.leaf_rows, bounce.surfaces.instances,
+      bounce.surfaces.leaves, bounce.surfaces.instances,
       {path.origin, path.direction, hits.floats_of(12), hits.words_of(14), hits.words_of(15)});
   const FloatMask from_outside = hn::Lt(dot(path.direction, at.outward), zero);
   const FloatVec3 normal = select(from_outside, at.outward, -at.outward);

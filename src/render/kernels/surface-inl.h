@@ -23,15 +23,16 @@ struct TrianglePointReal {
 
 HWY_INLINE Real3 in_axes(const FrameAxes& axes, const Real3& v) { return axes(v.vec()); }
 
-HWY_INLINE TrianglePointReal locate_triangle(const LeafRow* rows, const Real3& ray_origin,
+HWY_INLINE TrianglePointReal locate_triangle(const LeafArrays& leaves, const Real3& ray_origin,
                                              const Real3& ray_direction, WordVec lane) {
   HitVec hit;
   hit.lane_low = lane;
-  const LeafWords leaf = leaf_words(rows, hit);
+  const LeafWords leaf = leaf_words(leaves, hit);
   const auto corner = [&](std::size_t i) HWY_ATTR -> Real3 {
-    return {leaf_floats(leaf, i), leaf_floats(leaf, i + 1), leaf_floats(leaf, i + 2)};
+    const FloatVec3 position = corner_of_triangles(leaf, i);
+    return {position.x, position.y, position.z};
   };
-  const Real3 corners[3] = {corner(0), corner(3), corner(6)};
+  const Real3 corners[3] = {corner(0), corner(1), corner(2)};
   const FrameAxes axes = frame_axes(ray_direction.vec());
   const Real3 direction = in_axes(axes, ray_direction), origin = in_axes(axes, ray_origin);
   const Real smallest = kSmallestDirection;
@@ -142,7 +143,7 @@ HWY_INLINE void describe_lanes(const MeshView& mesh, std::size_t i, SurfaceChunk
     return {load_floats(arrays[0] + i), load_floats(arrays[1] + i), load_floats(arrays[2] + i)};
   };
   const TrianglePointReal point =
-      locate_triangle(mesh.leaf_rows, vectors(chunk.origin), vectors(chunk.direction),
+      locate_triangle(mesh.leaves, vectors(chunk.origin), vectors(chunk.direction),
                       hn::Load(Words(), chunk.lane + i));
   store(point.position, chunk.position, i);
   store(point.outward, chunk.outward, i);

@@ -11,7 +11,7 @@ namespace dapple {
 
 // The arrays that a triangle's surface is read from; null: there are none.
 struct MeshView {
-  const LeafRow* leaf_rows = nullptr;
+  LeafArrays leaves;
   const std::uint32_t* corners = nullptr;    // three vertices a triangle
   const std::uint32_t* materials = nullptr;  // one a triangle
   const float* normals = nullptr;            // three a vertex
