@@ -29,8 +29,8 @@ WideAccel::WideAccel(const SceneView& scene, BvhQuality quality, LeafForm form)
   std::size_t bytes = bvh.nodes.size_bytes() + bvh.rows.size_bytes();
   view_.kinds = leaf_kinds(scene);
   if (bvh.form == LeafForm::compact && view_.kinds != LeafKinds::spheres) {
-    view_.kinds = view_.kinds == LeafKinds::triangles ? LeafKinds::compact_triangles
-                                                      : LeafKinds::compact_any;
+    view_.kinds =
+        view_.kinds == LeafKinds::triangles ? LeafKinds::compact_triangles : LeafKinds::compact_any;
     view_.positions = scene.vertices.positions;
     bytes += view_.positions.size_bytes();
   }

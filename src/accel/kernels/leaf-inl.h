@@ -226,8 +226,6 @@ HWY_INLINE LaneHits intersect_cylinders(const PreparedRay& ray, const LeafRow* l
   return {hn::Ge(hit, hn::Zero(d)), hit};
 }
 
-// As variables these are known before anything is compiled: as functions they change the code of
-// kernels that need not ask.
 template <LeafKinds kKinds>
 inline constexpr bool kTrianglesOnly =
     kKinds == LeafKinds::triangles || kKinds == LeafKinds::compact_triangles;
