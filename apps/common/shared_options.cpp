@@ -87,7 +87,9 @@ OptionInfo accel_option(std::string_view help, std::string default_value) {
 OptionInfo bvh_quality_option() {
   return {.name = "bvh-quality",
           .kind = ValueKind::choice,
-          .help = "How much work goes into the fast BVH; a stored one is taken as it is",
+          .help =
+              "How much work goes into the fast BVH; high pays where long thin triangles "
+              "overlap. A stored one is taken as it is",
           .default_value = "medium",
           .choices = {"low", "medium", "high"}};
 }

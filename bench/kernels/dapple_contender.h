@@ -8,12 +8,12 @@ namespace dapple::bench {
 
 class DappleContender final : public Contender {
  public:
-  DappleContender(AccelKind kind, bool compact)
-      : kind_(kind), form_(compact ? LeafForm::compact : LeafForm::whole) {}
+  DappleContender(AccelKind kind, BvhQuality quality, LeafForm form)
+      : kind_(kind), quality_(quality), form_(form) {}
 
   std::string name() const override { return "dapple"; }
   void build(const SceneView& scene) override {
-    accel_ = make_accel(kind_, scene, BvhQuality::medium, form_);
+    accel_ = make_accel(kind_, scene, quality_, form_);
   }
   void discard() override { accel_.reset(); }
   std::size_t bytes() const override { return accel_->stats().bytes; }
@@ -23,6 +23,7 @@ class DappleContender final : public Contender {
 
  private:
   AccelKind kind_;
+  BvhQuality quality_;
   LeafForm form_;
   std::unique_ptr<Accel> accel_;
 };

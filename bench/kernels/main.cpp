@@ -14,10 +14,7 @@ struct Options {
                                      "bumps:70000", "bumps:1000000",  "city:700000",
                                      "soup:500000", "interior:300000"};
   std::string cores = "both";
-  std::string accel = "fast";
-  std::string only;
-  std::string quality = "medium";
-  bool compact = false;
+  ContenderChoice choice;
   std::string json;
   int side = 1000;
   int rounds = 5;
@@ -26,14 +23,17 @@ struct Options {
 
 std::optional<int> read(int argc, char** argv, Options& o) {
   CommandLine line("Builds and traverses scenes with dapple and its peers, in turn.");
-  line.add_positional("scenes",
-                      "scene names or files, or bumps:N, city:N, soup:N, interior:N for meshes",
-                      o.scenes);
+  line.add_positional(
+      "scenes",
+      "scene names or files, or bumps:N, city:N, girders:N, soup:N, interior:N for meshes",
+      o.scenes);
   line.add("--cores", "one, all or both", o.cores);
-  line.add("--accel", "dapple's structure: fast, median or linear", o.accel);
-  line.add("--only", "one contender: dapple or embree", o.only);
-  line.add("--embree-quality", "Embree's build quality: low, medium or high", o.quality);
-  line.add("--compact", "both ask for trees that take less memory", o.compact);
+  line.add("--accel", "dapple's structure: fast, median or linear", o.choice.accel);
+  line.add("--only", "one contender: dapple or embree", o.choice.only);
+  line.add("--bvh-quality", "dapple's build quality: low, medium or high", o.choice.quality);
+  line.add("--embree-quality", "Embree's build quality: low, medium or high",
+           o.choice.embree_quality);
+  line.add("--compact", "both ask for trees that take less memory", o.choice.compact);
   line.add("--side", "width and height of the picture; a set has its square of rays", o.side);
   line.add("--rounds", "repetitions of each way of tracing", o.rounds);
   line.add("--build-rounds", "repetitions of each build", o.build_rounds);
@@ -51,8 +51,7 @@ Expected<std::vector<Cores>> parse_cores(const std::string& name) {
 
 Status measure(const std::string& name, const SceneView& scene, const Options& options,
                std::span<const Cores> all_cores, Report& report) {
-  const auto contenders =
-      make_contenders(options.accel, options.only, options.quality, options.compact);
+  const auto contenders = make_contenders(options.choice);
   if (!contenders) return tl::unexpected(contenders.error());
 
   std::vector<RaySet> sets;

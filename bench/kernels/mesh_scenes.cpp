@@ -137,6 +137,19 @@ Scene city(std::uint64_t count) {
   return std::move(maker.scene);
 }
 
+// Girders of a fifth of the whole in all directions: hardly anything of their boxes is filled.
+Scene girders(std::uint64_t count) {
+  Maker maker;
+  for (std::uint32_t i = 0; i < count / 8; ++i) {
+    const auto at = random4(i, 6), way = random4(i, 7);
+    const Vec3f from(2 * at[0] - 1, 2 * at[1] - 1, 2 * at[2] - 1);
+    const Vec3f along(way[0] - 0.5f, way[1] - 0.5f, way[2] - 0.5f);
+    add_beam(maker, from, from + 0.4f * normalize(along), 0.0005f + 0.001f * way[3]);
+  }
+  maker.look({0.5, 0.7, 3.2}, {0, 0, 0}, 45);
+  return std::move(maker.scene);
+}
+
 Scene soup(std::uint64_t count) {
   Maker maker;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -193,8 +206,11 @@ struct Generator {
   std::string_view name;
   Scene (*make)(std::uint64_t);
 };
-constexpr Generator kGenerators[] = {
-    {"bumps:", bumps}, {"city:", city}, {"soup:", soup}, {"interior:", interior}};
+constexpr Generator kGenerators[] = {{"bumps:", bumps},
+                                     {"city:", city},
+                                     {"girders:", girders},
+                                     {"soup:", soup},
+                                     {"interior:", interior}};
 
 }  // namespace
 

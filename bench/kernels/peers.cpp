@@ -19,22 +19,24 @@ Expected<RTCBuildQuality> parse_quality(const std::string& name) {
 
 }  // namespace
 
-Expected<Contenders> make_contenders(const std::string& accel, const std::string& only,
-                                     [[maybe_unused]] const std::string& quality, bool compact) {
-  const auto kind = parse_accel_kind(accel);
+Expected<Contenders> make_contenders(const ContenderChoice& choice) {
+  const auto kind = parse_accel_kind(choice.accel);
   if (!kind) return tl::unexpected(kind.error());
+  const auto quality = parse_bvh_quality(choice.quality);
+  if (!quality) return tl::unexpected(quality.error());
   Contenders contenders;
-  if (only.empty() || only == "dapple") {
-    contenders.push_back(std::make_unique<DappleContender>(*kind, compact));
+  if (choice.only.empty() || choice.only == "dapple") {
+    const LeafForm form = choice.compact ? LeafForm::compact : LeafForm::whole;
+    contenders.push_back(std::make_unique<DappleContender>(*kind, *quality, form));
   }
 #ifdef DAPPLE_BENCH_EMBREE
-  const auto embree_quality = parse_quality(quality);
+  const auto embree_quality = parse_quality(choice.embree_quality);
   if (!embree_quality) return tl::unexpected(embree_quality.error());
-  if (only.empty() || only == "embree") {
-    contenders.push_back(std::make_unique<EmbreeContender>(*embree_quality, compact));
+  if (choice.only.empty() || choice.only == "embree") {
+    contenders.push_back(std::make_unique<EmbreeContender>(*embree_quality, choice.compact));
   }
 #endif
-  if (contenders.empty()) return fail(Errc::usage, only, "no such contender in this build");
+  if (contenders.empty()) return fail(Errc::usage, choice.only, "no such contender in this build");
   return contenders;
 }
 

@@ -8,10 +8,14 @@
 
 namespace dapple::bench {
 
-// `only` names the one contender to measure, or is empty for all; `quality` is low, medium or high
-// and is Embree's build quality; `compact` asks both for the form of a tree that takes less memory.
-[[nodiscard]] Expected<Contenders> make_contenders(const std::string& accel,
-                                                   const std::string& only,
-                                                   const std::string& quality, bool compact);
+struct ContenderChoice {
+  std::string accel = "fast";      // dapple's structure
+  std::string only;                // the name of the one to measure, or empty for all
+  std::string quality = "medium";  // of what dapple builds: low, medium or high
+  std::string embree_quality = "medium";
+  bool compact = false;  // both take the form of a tree that takes less memory
+};
+
+[[nodiscard]] Expected<Contenders> make_contenders(const ContenderChoice& choice);
 
 }  // namespace dapple::bench

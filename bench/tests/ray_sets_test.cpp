@@ -17,7 +17,9 @@ struct World {
   std::vector<RaySet> sets;
 
   explicit World(const char* name) : scene(*make_named_scene(name)) {
-    contenders = *make_contenders("linear", "", "medium");
+    ContenderChoice linear;
+    linear.accel = "linear";
+    contenders = *make_contenders(linear);
     for (const auto& contender : contenders) contender->build(scene);
     sets = *make_ray_sets(scene, kSide, [&](std::span<const Ray> rays) {
       return trace_once(*contenders.front(), rays, Query::closest);

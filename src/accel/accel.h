@@ -60,7 +60,7 @@ class Accel {
   virtual void occluded(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const = 0;
 
   virtual AccelStats stats() const = 0;
-  virtual Bounds3f bounds() const = 0;
+  virtual Bounds3f bounds() const = 0;  // a little more where triangles are split
 
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray) const;

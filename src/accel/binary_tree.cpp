@@ -7,11 +7,12 @@
 namespace dapple {
 namespace {
 
-// From this depth on ranges are split in half: a subtree is at most 2^13 primitives, ten levels.
+// From this depth on ranges are split in half: a subtree is at most 2^15 primitives and as many
+// parts of triangles, twelve levels.
 constexpr int kHalvingDepth = 16;
 // What that makes of the deepest tree, with kinds that are told apart in its leaves. Reinsertion
 // may not go beyond it.
-constexpr int kMaxDepth = kHalvingDepth + 15;
+constexpr int kMaxDepth = kHalvingDepth + 18;
 
 }  // namespace
 

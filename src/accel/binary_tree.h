@@ -23,6 +23,8 @@ class BinaryTree {
 
   const PrimRange& range(NodeId node) const { return nodes_[node].range; }
   bool is_leaf(NodeId node) const { return nodes_[node].right == 0; }
+  // How many nodes and leaves rays are expected to visit, times half the surface area they enter.
+  float cost() const { return nodes_[kRoot].cost[1]; }
 
   std::size_t leaf_count() const { return (nodes_.size() + 1) / 2; }
 

@@ -14,7 +14,7 @@ struct alignas(16) BuildPrim {
   float lo[3];
   PrimId id;
   float hi[3];
-  float unused;
+  float is_part;  // 0, or 1 where the box is around a part of the shape only
 
   Float4 lower() const { return Float4::load(lo); }
   Float4 upper() const { return Float4::load(hi); }

@@ -10,8 +10,9 @@ namespace dapple {
 
 struct PrimRange {
   std::size_t begin = 0, end = 0;
-  Box4 box;         // of the primitives
-  Box4 centre_box;  // of twice their centres
+  Box4 box;              // of the primitives
+  Box4 centre_box;       // of twice their centres
+  std::size_t room = 0;  // free places behind the end
 
   std::size_t size() const { return end - begin; }
   void extend(const BuildPrim& prim) {

@@ -9,12 +9,7 @@
 namespace dapple {
 namespace {
 
-// Cost of a leaf, or of what becomes of this many primitives: leaves are tested in blocks.
-constexpr std::size_t kBlock = 16;
-float cost_of(std::size_t count) {
-  const std::size_t blocks = (count + kBlock - 1) / kBlock;
-  return static_cast<float>(blocks);
-}
+constexpr int kCoarseBins = 16, kFineBins = 32;  // of medium and of high quality
 
 struct Bin {
   Box4 box;
@@ -98,7 +93,7 @@ void sweep_axis(const std::array<Bin, kBins>& bins, int axis, BestSplit& best) {
     right.extend(bins[static_cast<std::size_t>(i)].box);
     right_count += bins[static_cast<std::size_t>(i)].count;
     right_cost[i] = right_count == 0 ? std::numeric_limits<float>::infinity()
-                                     : right.half_area() * cost_of(right_count);
+                                     : right.half_area() * leaf_cost(right_count);
   }
   Box4 left;
   std::size_t left_count = 0;
@@ -106,9 +101,21 @@ void sweep_axis(const std::array<Bin, kBins>& bins, int axis, BestSplit& best) {
     left.extend(bins[static_cast<std::size_t>(i - 1)].box);
     left_count += bins[static_cast<std::size_t>(i - 1)].count;
     if (left_count == 0) continue;
-    const float cost = left.half_area() * cost_of(left_count) + right_cost[i];
+    const float cost = left.half_area() * leaf_cost(left_count) + right_cost[i];
     if (cost < best.cost) best = {cost, axis, i};
   }
+}
+
+template <std::size_t kBins>
+float overlap_of(const std::array<Bin, kBins>& bins, int split) {
+  Box4 sides[2];
+  for (int i = 0; i < static_cast<int>(kBins); ++i) {
+    sides[i < split ? 0 : 1].extend(bins[static_cast<std::size_t>(i)].box);
+  }
+  const Box4 common{max(sides[0].lo, sides[1].lo), min(sides[0].hi, sides[1].hi)};
+  const Bounds3f box = common.bounds();
+  return box.lo.x <= box.hi.x && box.lo.y <= box.hi.y && box.lo.z <= box.hi.z ? box.half_area()
+                                                                              : 0.0f;
 }
 
 template <int kBinCount>
@@ -123,7 +130,11 @@ std::optional<SahSplit> find_sah_split(std::span<const BuildPrim> prims, const P
   float origin[4], scale[4];
   map.origin.store(origin);
   map.scale.store(scale);
-  return SahSplit{best.axis, best.bin, origin[best.axis], scale[best.axis]};
+  SahSplit split{best.axis, best.bin, origin[best.axis], scale[best.axis], best.cost, 0};
+  if (kBinCount == kFineBins) {
+    split.overlap = overlap_of(bins.axes[static_cast<std::size_t>(best.axis)], best.bin);
+  }
+  return split;
 }
 
 std::optional<SahSplit> find_middle(const PrimRange& range) {
@@ -137,7 +148,7 @@ std::optional<SahSplit> find_middle(const PrimRange& range) {
     if (scale[i] > 0 && (axis == 3 || scale[i] < scale[axis])) axis = i;
   }
   if (axis == 3) return std::nullopt;
-  return SahSplit{axis, 1, origin[axis], scale[axis]};
+  return SahSplit{axis, 1, origin[axis], scale[axis], 0, 0};
 }
 
 }  // namespace
@@ -145,8 +156,8 @@ std::optional<SahSplit> find_middle(const PrimRange& range) {
 std::optional<SahSplit> find_split(std::span<const BuildPrim> prims, const PrimRange& range,
                                    BvhQuality quality) {
   if (quality == BvhQuality::low) return find_middle(range);
-  return quality == BvhQuality::medium ? find_sah_split<16>(prims, range)
-                                       : find_sah_split<32>(prims, range);
+  return quality == BvhQuality::medium ? find_sah_split<kCoarseBins>(prims, range)
+                                       : find_sah_split<kFineBins>(prims, range);
 }
 
 }  // namespace dapple

@@ -6,6 +6,7 @@
 
 #include "accel/bvh_quality.h"
 #include "accel/prim_range.h"
+#include "scene/leaf.h"
 
 namespace dapple {
 
@@ -14,12 +15,19 @@ struct SahSplit {
   int axis = 0;
   int bin = 0;
   float origin = 0, scale = 0;  // bin = truncate((twice centre - origin) * scale)
+  float cost = 0;               // by surface areas, not at low quality
+  float overlap = 0;  // half the surface area of what both sides share, only at high quality
 
   bool goes_left(const BuildPrim& prim) const {
     const float centre = prim.lo[axis] + prim.hi[axis];
     return static_cast<int>((centre - origin) * scale) < bin;
   }
 };
+
+// Cost of a leaf, or of what becomes of this many primitives: leaves are tested in blocks.
+inline float leaf_cost(std::size_t count) {
+  return static_cast<float>((count + kLeafWidth - 1) / kLeafWidth);
+}
 
 // The best split of the three axes, or at low quality the middle of the longest; none when all
 // centres coincide.

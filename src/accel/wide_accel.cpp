@@ -17,7 +17,7 @@ WideAccel::WideAccel(const SceneView& scene, BvhQuality quality, LeafForm form)
   WideBvhView& bvh = view_;
   bvh = scene.bvh;
   if (bvh.empty()) {
-    built_ = build_wide_bvh(scene, nullptr, quality, form);
+    built_ = build_wide_bvh(scene, nullptr, quality, form, TriangleParts::where_they_pay);
     bvh = built_.view();
   }
   if (!scene.instances.empty()) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -14,7 +15,14 @@ namespace dapple {
 namespace {
 
 // A range up to this size is one task: a binary tree whose wide nodes are chosen together.
-constexpr std::size_t kTaskPrims = std::size_t{1} << 13;
+// At high quality more: only inside it are triangles split.
+constexpr std::size_t task_prims(BvhQuality quality) {
+  return std::size_t{1} << (quality == BvhQuality::high ? 15 : 13);
+}
+// What a tree of parts must save to be worth its memory: it is up to twice as large, and triangles
+// are tested where parts of them are. At a seventh less camera rays were slower, all others little
+// faster.
+constexpr float kWorthSplitting = 0.85f;
 // From this depth on larger ranges are split in half by number. With the halving of binary trees
 // this keeps the deepest tree within kMaxWideDepth.
 constexpr int kHalvingDepth = 10;
@@ -41,49 +49,60 @@ std::size_t add_empty_node(Fragment& fragment) {
   return fragment.nodes.size() - 1;
 }
 
-class Builder {
- public:
-  Builder(const SceneView& scene, const PrototypeBoxes& prototypes, HugeArray<BuildPrim> prims,
-          BvhQuality quality, LeafForm form)
-      : splitter_(scene, prototypes, std::move(prims), quality), quality_(quality), form_(form) {}
-
-  // Splits the child with the largest surface until there are kWideWidth or only small ones.
-  void build_top(const PrimRange& range, int depth, Fragment& fragment);
-
-  RangeSplitter& splitter() { return splitter_; }
-
- private:
-  std::vector<PrimRange> split_into_children(const PrimRange& range, int depth);
-  ChildRef add_leaf(const PrimRange& range, Fragment& fragment) const;
-  void build_below(const BinaryTree& tree, BinaryTree::NodeId id, Fragment& fragment) const;
-
-  RangeSplitter splitter_;
-  BvhQuality quality_;
-  LeafForm form_;
-};
-
-ChildRef Builder::add_leaf(const PrimRange& range, Fragment& fragment) const {
-  const ShapeKind kind = splitter_.leaf_kind(range);
+ChildRef add_leaf(const RangeSplitter& splitter, const PrimRange& range, Fragment& fragment) {
+  const ShapeKind kind = splitter.leaf_kind(range);
   const std::size_t first_row = fragment.rows.size();
-  fragment.rows.resize(first_row + leaf_rows(kind, form_));
-  splitter_.write_leaf(range, fragment.rows.data() + first_row, form_);
+  fragment.rows.resize(first_row + leaf_rows(kind, splitter.leaf_form()));
+  splitter.write_leaf(range, fragment.rows.data() + first_row);
   return ChildRef::leaf(kind, first_row);
 }
 
-void Builder::build_below(const BinaryTree& tree, BinaryTree::NodeId id, Fragment& fragment) const {
+void add_nodes(const RangeSplitter& splitter, const BinaryTree& tree, BinaryTree::NodeId id,
+               Fragment& fragment) {
   const std::size_t index = add_empty_node(fragment);
   const BinaryTree::Cut cut = tree.children(id);
   for (std::size_t i = 0; i < cut.count; ++i) {
     set_box(fragment.nodes[index], i, tree.range(cut.nodes[i]).box.bounds());
     if (!tree.is_leaf(cut.nodes[i])) continue;
-    fragment.nodes[index].children[i] = add_leaf(tree.range(cut.nodes[i]), fragment);
+    fragment.nodes[index].children[i] = add_leaf(splitter, tree.range(cut.nodes[i]), fragment);
   }
   for (std::size_t i = 0; i < cut.count; ++i) {
     if (tree.is_leaf(cut.nodes[i])) continue;
     fragment.nodes[index].children[i] = ChildRef::node(fragment.nodes.size());
-    build_below(tree, cut.nodes[i], fragment);
+    add_nodes(splitter, tree, cut.nodes[i], fragment);
   }
 }
+
+void add_tree(const RangeSplitter& splitter, const BinaryTree& tree, Fragment& fragment) {
+  fragment.rows.reserve(tree.leaf_count() * kMaxLeafRows);
+  fragment.nodes.reserve(tree.leaf_count() / 8 + 8);
+  add_nodes(splitter, tree, BinaryTree::kRoot, fragment);
+}
+
+class Builder {
+ public:
+  Builder(const SceneView& scene, const PrototypeBoxes& prototypes, HugeArray<BuildPrim> prims,
+          BvhQuality quality, LeafForm form, TriangleParts parts)
+      : splitter_(scene, prototypes, std::move(prims), quality, form), quality_(quality) {
+    whole_ = splitter_.whole();
+    const bool may_split = parts == TriangleParts::where_they_pay && quality == BvhQuality::high;
+    if (may_split) clipper_.emplace(scene, whole_.box.bounds());
+  }
+
+  // Splits the child with the largest surface until there are kWideWidth or only small ones.
+  void build_top(const PrimRange& range, int depth, Fragment& fragment);
+
+  const PrimRange& whole() const { return whole_; }
+
+ private:
+  std::vector<PrimRange> split_into_children(const PrimRange& range, int depth);
+  void build_small(const PrimRange& range, Fragment& fragment);
+
+  RangeSplitter splitter_;
+  BvhQuality quality_;
+  PrimRange whole_;
+  std::optional<TriangleClipper> clipper_;  // where triangles may be split
+};
 
 std::vector<PrimRange> Builder::split_into_children(const PrimRange& range, int depth) {
   const SplitBy by = depth < kHalvingDepth ? SplitBy::sah : SplitBy::number;
@@ -102,12 +121,30 @@ std::vector<PrimRange> Builder::split_into_children(const PrimRange& range, int 
   return children;
 }
 
+// A volume full of leaves side by side makes a ray visit about the cube root of their number. Where
+// it is a quarter more, leaves overlap, and smaller parts may part them.
+bool overlaps(const BinaryTree& tree) {
+  const double visits = double{tree.cost()} / double{tree.range(BinaryTree::kRoot).box.half_area()};
+  return visits * visits * visits > 2 * static_cast<double>(tree.leaf_count());
+}
+
+// Splitting triangles pays in some places only: it is tried, and the better tree taken.
+void Builder::build_small(const PrimRange& range, Fragment& fragment) {
+  const BinaryTree tree(splitter_, range, quality_);
+  if (clipper_ && overlaps(tree) && splitter_.can_split_any(range, *clipper_)) {
+    RangeSplitter parts = splitter_.with_room(range, *clipper_);
+    const BinaryTree of_parts(parts, parts.whole(), quality_);
+    if (of_parts.cost() < kWorthSplitting * tree.cost()) {
+      add_tree(parts, of_parts, fragment);
+      return;
+    }
+  }
+  add_tree(splitter_, tree, fragment);
+}
+
 void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
-  if (range.size() <= kTaskPrims && !(depth == 0 && splitter_.is_leaf(range))) {
-    const BinaryTree tree(splitter_, range, quality_);
-    fragment.rows.reserve(tree.leaf_count() * kMaxLeafRows);
-    fragment.nodes.reserve(tree.leaf_count() / 8 + 8);
-    build_below(tree, BinaryTree::kRoot, fragment);
+  if (range.size() <= task_prims(quality_) && !(depth == 0 && splitter_.is_leaf(range))) {
+    build_small(range, fragment);
     splitter_.forget(range);
     return;
   }
@@ -117,7 +154,7 @@ void Builder::build_top(const PrimRange& range, int depth, Fragment& fragment) {
   for (std::size_t i = 0; i < children.size(); ++i) {
     set_box(fragment.nodes[index], i, children[i].box.bounds());
     if (splitter_.is_leaf(children[i])) {
-      fragment.nodes[index].children[i] = add_leaf(children[i], fragment);
+      fragment.nodes[index].children[i] = add_leaf(splitter_, children[i], fragment);
       continue;
     }
     fragment.nodes[index].children[i] = ChildRef::node(fragment.children.size());
@@ -191,13 +228,14 @@ class Joiner {
 };
 
 // What there is to build: the tree of the world, then those of the prototypes.
-std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality, LeafForm form) {
+std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality, LeafForm form,
+                                  TriangleParts parts) {
   const PrototypeBoxes boxes = prototype_boxes(scene);
   std::vector<Fragment> roots(1 + scene.prototypes.size());
   const auto build = [&](HugeArray<BuildPrim> prims, Fragment& root) {
     if (prims.size() == 0) return;
-    Builder builder(scene, boxes, std::move(prims), quality, form);
-    builder.build_top(builder.splitter().whole(), 0, root);
+    Builder builder(scene, boxes, std::move(prims), quality, form, parts);
+    builder.build_top(builder.whole(), 0, root);
   };
   TaskGroup tasks;
   for (std::size_t i = 0; i < scene.prototypes.size(); ++i) {
@@ -211,10 +249,10 @@ std::vector<Fragment> build_trees(const SceneView& scene, BvhQuality quality, Le
 }  // namespace
 
 WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times, BvhQuality quality,
-                       LeafForm form) {
+                       LeafForm form, TriangleParts parts) {
   WideBvh bvh;
   const auto build = [&] {
-    std::vector<Fragment> roots = build_trees(scene, quality, form);
+    std::vector<Fragment> roots = build_trees(scene, quality, form, parts);
     const std::size_t count = scene.object_count() + scene.triangles.size();
     bvh = Joiner(roots, form, count >= kGivesBackFrom).join();
   };

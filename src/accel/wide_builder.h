@@ -19,17 +19,22 @@ struct WideBvh {
   WideBvhView view() const { return {nodes.span(), rows.span(), form}; }
 };
 
+// Whether a triangle may be in several leaves, each with a box around the part of it that is there.
+// Such trees are for finding hits only: scene files do not hold them.
+enum class TriangleParts { none, where_they_pay };
+
 // A small range becomes a binary tree from which wide nodes are chosen; a node above those is grown
 // by splitting, again and again, the child with the largest surface until it has kWideWidth
 // children or only leaves. The tree is the same for any number of threads. `times`, if given, gets
-// how long each thread was at work.
+// how long each thread was at work. Only high quality makes parts of triangles.
 [[nodiscard]] WideBvh build_wide_bvh(const SceneView& scene, ThreadTimes* times = nullptr,
                                      BvhQuality quality = BvhQuality::medium,
-                                     LeafForm form = LeafForm::whole);
+                                     LeafForm form = LeafForm::whole,
+                                     TriangleParts parts = TriangleParts::none);
 
 // Gives a tree of the same scene, whose shapes have moved, their new places: leaves keep what they
 // hold, boxes are made anew. Much faster than building; the farther shapes move, the worse the tree
-// fits them. In parallel.
+// fits them. Boxes of parts become those of whole triangles. In parallel.
 void refit_wide_bvh(const SceneView& scene, WideBvh& bvh);
 
 // Where the trees of a finished BVH begin: first that of the world, if anything stands in it, then

@@ -8,6 +8,7 @@
 #include "parallel/parallel.h"
 #include "scene/named_scenes.h"
 #include "tests/scenes/nasty_scenes.h"
+#include "tests/scenes/slivers.h"
 
 namespace dapple::test {
 namespace {
@@ -36,6 +37,7 @@ std::vector<Scene> scenes() {
   config.shapes = Shapes::everything;
   config.object_count = 4000;
   result.push_back(nasty_scene(config, 3));
+  result.push_back(sliver_scene(Slivers::needles, 50'000, 1));  // split into parts
   return result;
 }
 
@@ -48,11 +50,13 @@ TEST_P(TreesOfEachQuality, AreTheSameToTheLastByte) {
     WideBvh alone;
     {
       const ThreadCount one(1);
-      alone = build_wide_bvh(scene, nullptr, GetParam());
+      alone = build_wide_bvh(scene, nullptr, GetParam(), LeafForm::whole,
+                             TriangleParts::where_they_pay);
     }
     for (const int count : kThreadCounts) {
       const ThreadCount threads(count);
-      const WideBvh built = build_wide_bvh(scene, nullptr, GetParam());
+      const WideBvh built = build_wide_bvh(scene, nullptr, GetParam(), LeafForm::whole,
+                                           TriangleParts::where_they_pay);
       const auto expected = alone.view(), actual = built.view();
       ASSERT_EQ(actual.nodes.size(), expected.nodes.size());
       ASSERT_EQ(actual.rows.size(), expected.rows.size());

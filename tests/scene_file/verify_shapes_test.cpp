@@ -10,6 +10,7 @@
 #include "scene_file/verify_bvh.h"
 #include "tests/scene_file/small_bvh.h"
 #include "tests/scenes/nasty_scenes.h"
+#include "tests/scenes/slivers.h"
 
 namespace dapple::test {
 namespace {
@@ -39,6 +40,19 @@ TEST(VerifyShapes, AcceptsWhatBuildersMake) {
       EXPECT_TRUE(of_wide.ok()) << "seed " << seed << ": " << of_wide.reason;
     }
   }
+}
+
+// A file's tree holds each triangle once and whole.
+TEST(VerifyShapes, AcceptsEveryQualityButNoPartsOfTriangles) {
+  const Scene scene = sliver_scene(Slivers::beams, 6000, 1);
+  for (const BvhQuality quality : {BvhQuality::low, BvhQuality::medium, BvhQuality::high}) {
+    const WideBvh whole = build_wide_bvh(scene, nullptr, quality);
+    const BvhDamage damage = damage_of(whole.view(), scene);
+    EXPECT_TRUE(damage.ok()) << damage.reason;
+  }
+  const WideBvh parts = build_wide_bvh(scene, nullptr, BvhQuality::high, LeafForm::whole,
+                                       TriangleParts::where_they_pay);
+  EXPECT_FALSE(damage_of(parts.view(), scene).ok());
 }
 
 TEST(VerifyShapes, RefusesEveryChangeOfALeaf) {
