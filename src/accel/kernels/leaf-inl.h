@@ -3,6 +3,8 @@
 #include "accel/intersect_cylinder.h"
 #include "accel/kernels/compact_leaf-inl.h"
 #include "accel/kernels/dispatch.h"
+#include "accel/kernels/leaf_spheres-inl.h"
+#include "accel/kernels/leaf_triangles-inl.h"
 #include "accel/kernels/simd-inl.h"
 #include "scene/leaf.h"
 
@@ -16,86 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace dapple {
 namespace HWY_NAMESPACE {
-
-// Lanes that were hit, and where.
-struct LaneHits {
-  FloatMask mask;
-  FloatVec t;
-};
-
-HWY_INLINE FloatVec load_row(const LeafRow* rows, std::size_t row, std::size_t i) {
-  return load_floats(reinterpret_cast<const float*>(rows[row].words + i));
-}
-
-// Where the ray enters and leaves the extent of spheres along one axis.
-struct SphereSlab {
-  FloatVec near, far;
-};
-
-HWY_INLINE SphereSlab slab_of_spheres(const PreparedRay& ray, FloatVec centre, FloatVec size,
-                                      int axis) {
-  const FloatVec sign = hn::And(all(ray.inverse[axis]), hn::SignBit(Floats()));
-  const FloatVec to_far = hn::Or(size, sign);  // `size` has no sign
-  return {meet(hn::Sub(centre, to_far), ray, axis), meet(hn::Add(centre, to_far), ray, axis)};
-}
-
-// The own-box rule for the spheres that passed so far.
-HWY_INLINE LaneHits enter_sphere_boxes(const PreparedRay& ray, FloatVec cx, FloatVec cy,
-                                       FloatVec cz, FloatVec radius, LaneHits hits,
-                                       FloatVec t_max) {
-  const FloatVec size = hn::Abs(radius);
-  const SphereSlab x = slab_of_spheres(ray, cx, size, 0);
-  const SphereSlab y = slab_of_spheres(ray, cy, size, 1);
-  const SphereSlab z = slab_of_spheres(ray, cz, size, 2);
-  const FloatVec near = hn::Max(hn::Max(x.near, y.near), hn::Max(z.near, all(ray.t_min)));
-  const FloatVec far = hn::Min(hn::Min(x.far, y.far), z.far);
-  const FloatVec t = hn::Max(hits.t, near);
-  const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
-  return {hn::And(hits.mask, inside), t};
-}
-
-// Spheres of which the ray's line passes those of the mask: where it is nearest to their centres,
-// and the square of half the chord that they cut from it.
-struct PassedSpheres {
-  FloatMask mask;
-  FloatVec t_mid, discriminant;
-};
-
-// Spheres [i, i + kLanes) of a leaf.
-HWY_INLINE PassedSpheres pass_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i) {
-  const FloatVec radius = load_row(leaf, 3, i);
-  const FloatVec ox = hn::Sub(all(ray.origin[0]), load_row(leaf, 0, i));
-  const FloatVec oy = hn::Sub(all(ray.origin[1]), load_row(leaf, 1, i));
-  const FloatVec oz = hn::Sub(all(ray.origin[2]), load_row(leaf, 2, i));
-  const FloatVec dx = all(ray.direction[0]), dy = all(ray.direction[1]), dz = all(ray.direction[2]);
-  const FloatVec along = hn::Add(hn::Add(hn::Mul(ox, dx), hn::Mul(oy, dy)), hn::Mul(oz, dz));
-  const FloatVec t_mid = hn::Neg(hn::Mul(along, all(ray.inverse_dot)));
-  const FloatVec px = hn::Add(ox, hn::Mul(t_mid, dx));
-  const FloatVec py = hn::Add(oy, hn::Mul(t_mid, dy));
-  const FloatVec pz = hn::Add(oz, hn::Mul(t_mid, dz));
-  const FloatVec squared = hn::Add(hn::Add(hn::Mul(px, px), hn::Mul(py, py)), hn::Mul(pz, pz));
-  const FloatVec discriminant = hn::Sub(hn::Mul(radius, radius), squared);
-  return {hn::Gt(discriminant, hn::Zero(Floats())), t_mid, discriminant};
-}
-
-HWY_INLINE LaneHits enter_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                  const PassedSpheres& passed, float t_best) {
-  const FloatVec t_min = all(ray.t_min), t_max = all(t_best);
-  const FloatVec half_chord = hn::Sqrt(hn::Mul(passed.discriminant, all(ray.inverse_dot)));
-  const FloatVec first = hn::Sub(passed.t_mid, half_chord);
-  const FloatVec second = hn::Add(passed.t_mid, half_chord);
-  const FloatVec t = hn::IfThenElse(hn::Ge(first, t_min), first, second);
-  const FloatMask mask = hn::And(passed.mask, hn::And(hn::Ge(t, t_min), hn::Le(t, t_max)));
-  return enter_sphere_boxes(ray, load_row(leaf, 0, i), load_row(leaf, 1, i), load_row(leaf, 2, i),
-                            load_row(leaf, 3, i), {mask, t}, t_max);
-}
-
-HWY_INLINE LaneHits intersect_spheres(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                      float t_best) {
-  const PassedSpheres passed = pass_spheres(ray, leaf, i);
-  if (hn::AllFalse(Floats(), passed.mask)) return {passed.mask, passed.t_mid};
-  return enter_spheres(ray, leaf, i, passed, t_best);
-}
 
 // Rectangles [i, i + kLanes) of a leaf.
 HWY_INLINE LaneHits intersect_rectangles(const PreparedRay& ray, RectangleAxes axes,
@@ -113,89 +35,6 @@ HWY_INLINE LaneHits intersect_rectangles(const PreparedRay& ray, RectangleAxes a
   const FloatVec near = hn::Max(hn::Max(u_near, v_near), all(ray.t_min));
   const FloatVec far = hn::Min(hn::Min(u_far, v_far), all(t_best));
   return {hn::And(hn::Ge(t, near), hn::Le(t, far)), t};
-}
-
-// A coordinate of a triangle's vertices in three rows, and its extent.
-HWY_INLINE FloatVec least_of(const LeafRow* leaf, std::size_t axis, std::size_t i) {
-  return hn::Min(hn::Min(load_row(leaf, axis, i), load_row(leaf, 3 + axis, i)),
-                 load_row(leaf, 6 + axis, i));
-}
-HWY_INLINE FloatVec greatest_of(const LeafRow* leaf, std::size_t axis, std::size_t i) {
-  return hn::Max(hn::Max(load_row(leaf, axis, i), load_row(leaf, 3 + axis, i)),
-                 load_row(leaf, 6 + axis, i));
-}
-
-// The own-box rule for the triangles that passed so far.
-HWY_INLINE LaneHits enter_triangle_boxes(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                         LaneHits hits, FloatVec t_max) {
-  FloatVec near = all(ray.t_min), far = all(Bounds3f::kInfinity);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto row = static_cast<std::size_t>(axis);
-    const FloatVec lo = least_of(leaf, row, i), hi = greatest_of(leaf, row, i);
-    const FloatMask up = hn::Ge(all(ray.inverse[axis]), hn::Zero(Floats()));
-    near = hn::Max(near, meet(hn::IfThenElse(up, lo, hi), ray, axis));
-    far = hn::Min(far, meet_far(hn::IfThenElse(up, hi, lo), ray, axis));
-  }
-  const FloatVec t = hn::Min(hn::Max(hits.t, near), far);
-  const FloatMask inside = hn::And(hn::Le(near, far), hn::Le(t, t_max));
-  return {hn::And(hits.mask, inside), t};
-}
-
-// Vertices in a ray's own frame.
-struct SeenVertex {
-  FloatVec x, y, z;
-};
-
-HWY_INLINE SeenVertex see_vertex(const PreparedRay& ray, const LeafRow* leaf, std::size_t row,
-                                 std::size_t i) {
-  const std::uint32_t kz = ray.axis, kx = next_axis(kz), ky = next_axis(kx);
-  const FloatVec z = hn::Sub(load_row(leaf, row + kz, i), all(ray.origin[kz]));
-  const FloatVec x = hn::Sub(load_row(leaf, row + kx, i), all(ray.origin[kx]));
-  const FloatVec y = hn::Sub(load_row(leaf, row + ky, i), all(ray.origin[ky]));
-  return {hn::Sub(x, hn::Mul(all(ray.shear[0]), z)), hn::Sub(y, hn::Mul(all(ray.shear[1]), z)), z};
-}
-
-// Triangles of which the ray's line passes those of the mask: the weights of their vertices where
-// it does, not scaled to a sum of one, and the vertices' z.
-struct PassedTriangles {
-  FloatMask mask;
-  FloatVec weights[3], z[3];
-};
-
-// Triangles [i, i + kLanes) of a leaf.
-HWY_INLINE PassedTriangles pass_triangles(const PreparedRay& ray, const LeafRow* leaf,
-                                          std::size_t i) {
-  const FloatVec zero = hn::Zero(Floats());
-  const SeenVertex a = see_vertex(ray, leaf, 0, i);
-  const SeenVertex b = see_vertex(ray, leaf, 3, i);
-  const SeenVertex c = see_vertex(ray, leaf, 6, i);
-  const FloatVec u0 = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
-  const FloatVec u1 = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
-  const FloatVec u2 = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
-  const FloatVec sum = hn::Add(hn::Add(u0, u1), u2);
-  const FloatMask inside = hn::Or(hn::Ge(hn::Min(hn::Min(u0, u1), u2), zero),
-                                  hn::Le(hn::Max(hn::Max(u0, u1), u2), zero));
-  return {hn::And(inside, hn::Gt(hn::Abs(sum), zero)), {u0, u1, u2}, {a.z, b.z, c.z}};
-}
-
-HWY_INLINE LaneHits enter_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                    const PassedTriangles& passed, float t_best) {
-  const auto& u = passed.weights;
-  const FloatVec sum = hn::Add(hn::Add(u[0], u[1]), u[2]);
-  const FloatVec scale = hn::Div(all(1.0f), sum);
-  const FloatVec z = hn::Add(hn::Add(hn::Mul(hn::Mul(u[0], scale), passed.z[0]),
-                                     hn::Mul(hn::Mul(u[1], scale), passed.z[1])),
-                             hn::Mul(hn::Mul(u[2], scale), passed.z[2]));
-  const FloatVec t = hn::Mul(z, all(ray.inverse[ray.axis]));
-  const FloatMask mask = hn::And(passed.mask, hn::Ge(t, all(ray.t_min)));
-  return enter_triangle_boxes(ray, leaf, i, {mask, t}, all(t_best));
-}
-
-HWY_INLINE LaneHits intersect_triangles(const PreparedRay& ray, const LeafRow* leaf, std::size_t i,
-                                        float t_best) {
-  const PassedTriangles passed = pass_triangles(ray, leaf, i);
-  if (hn::AllFalse(Floats(), passed.mask)) return {passed.mask, passed.z[0]};
-  return enter_triangles(ray, leaf, i, passed, t_best);
 }
 
 // Instances [i, i + kLanes) of a leaf: where the ray enters their boxes.
