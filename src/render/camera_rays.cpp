@@ -1,15 +1,25 @@
 #include "render/camera_rays.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "math/functions.h"
 #include "math/warps.h"
 
 namespace dapple {
 namespace {
 
-double focus_plane_height(const Camera& camera) {
+// Without a lens everything is sharp, and the plane of focus may be anywhere.
+double focus_distance_of(const Camera& camera) {
+  if (camera.aperture > 0) return camera.focus_distance;
+  return std::clamp(camera.focus_distance, kNearestFocus, kFarthestFocus);
+}
+
+double focus_plane_height(const Camera& camera, double focus_distance) {
   if (camera.orthographic_height > 0) return camera.orthographic_height;
   const SinCos<double> half_fov = sin_cos_turns(camera.vertical_fov / 720.0);
-  return 2.0 * (half_fov.sin / half_fov.cos) * camera.focus_distance;
+  return 2.0 * (half_fov.sin / half_fov.cos) * focus_distance;
 }
 
 }  // namespace
@@ -20,21 +30,27 @@ Expected<CameraRays> CameraRays::create(const Camera& camera, const RenderSettin
   if (!(length(backward) > 0) || !(length(sideways) > 0)) {
     return fail(Errc::bad_data, "camera", "it looks at its own position or along its up direction");
   }
+  const double focus = focus_distance_of(camera);
+  if (!(focus >= kNearestFocus && focus <= kFarthestFocus)) {
+    return fail(Errc::bad_data, "camera",
+                fmt::format("the focus distance of its lens, {:g}, is not from {:g} to {:g}", focus,
+                            kNearestFocus, kFarthestFocus));
+  }
   const Vec3d w = normalize(backward);
   const Vec3d u = normalize(sideways);
   const Vec3d v = cross(w, u);
-  const double pixel = focus_plane_height(camera) / settings.height;
+  const double pixel = focus_plane_height(camera, focus) / settings.height;
   const double lens_radius = camera.aperture / 2;
 
   CameraRays rays;
   rays.frame_.origin = Vec3f(camera.look_from);
-  rays.frame_.corner = Vec3f(-(0.5 * settings.width * pixel) * u +
-                             (0.5 * settings.height * pixel) * v - camera.focus_distance * w);
+  rays.frame_.corner =
+      Vec3f(-(0.5 * settings.width * pixel) * u + (0.5 * settings.height * pixel) * v - focus * w);
   rays.frame_.per_column = Vec3f(pixel * u);
   rays.frame_.per_row = Vec3f(-pixel * v);
   rays.frame_.lens_u = Vec3f(lens_radius * u);
   rays.frame_.lens_v = Vec3f(lens_radius * v);
-  rays.frame_.forward = Vec3f(-camera.focus_distance * w);
+  rays.frame_.forward = Vec3f(-focus * w);
   rays.frame_.orthographic = camera.orthographic_height > 0;
   return rays;
 }

@@ -23,7 +23,8 @@ struct CameraFrame {
 
 class CameraRays {
  public:
-  // An error when the camera's axes are degenerate: it looks at where it stands, or along `up`.
+  // An error when the camera's axes are degenerate: it looks at where it stands, or along `up`; and
+  // when its lens is focused nearer or farther than below.
   [[nodiscard]] static Expected<CameraRays> create(const Camera& camera,
                                                    const RenderSettings& settings);
 
@@ -41,6 +42,9 @@ class CameraRays {
 
 // The block of four random numbers of a sample that its camera ray uses.
 inline constexpr std::uint32_t kCameraDimension = 0;
+
+// Between these, squares of a ray's coordinates are well within the range of floats.
+inline constexpr double kNearestFocus = 1e-15, kFarthestFocus = 1e15;
 
 // Distances along a ray below this, in units of its direction, are not hits.
 inline constexpr float kRayTMin = 1e-3f;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -94,7 +95,9 @@ Status EditedView::choose_environment(const ViewOptions& options) {
   } else if (!options.environment.empty()) {
     if (auto status = load_environment(options.environment); !status) return status;
   }
-  if (options.rotation) environment.rotation = static_cast<float>(*options.rotation);
+  if (options.rotation) {
+    environment.rotation = static_cast<float>(std::fmod(*options.rotation, 360.0));
+  }
   return {};
 }
 

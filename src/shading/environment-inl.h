@@ -56,6 +56,11 @@ HWY_INLINE FloatVec3 environment_texel(const EnvironmentView& light, WordVec ind
           floats_of_bits(gather(words + 2, first))};
 }
 
+// Columns or rows of texels; within the picture even where `x` is not a number.
+HWY_INLINE WordVec texels_at(FloatVec x, std::int32_t count) {
+  return hn::Min(to_words(x), all_words(static_cast<std::uint32_t>(count) - 1));
+}
+
 HWY_INLINE FloatVec3 environment_lookup(const EnvironmentView& light, UvVec uv) {
   const FloatVec zero = hn::Zero(Floats()), one = all(1.0f);
   const FloatVec width = all(static_cast<float>(light.width));
@@ -66,11 +71,12 @@ HWY_INLINE FloatVec3 environment_lookup(const EnvironmentView& light, UvVec uv) 
   const FloatVec fx = hn::Sub(x, i), fy = hn::Sub(y, j);
   const FloatVec last = hn::Sub(height, one);
   const FloatVec next = hn::Add(i, one);
-  const WordVec x0 = to_words(hn::IfThenElse(hn::Lt(i, zero), hn::Sub(width, one), i));
-  const WordVec x1 = to_words(hn::IfThenElse(hn::Lt(next, width), next, zero));
+  const WordVec x0 =
+      texels_at(hn::IfThenElse(hn::Lt(i, zero), hn::Sub(width, one), i), light.width);
+  const WordVec x1 = texels_at(hn::IfThenElse(hn::Lt(next, width), next, zero), light.width);
   const WordVec stride = all_words(static_cast<std::uint32_t>(light.width));
-  const WordVec y0 = hn::Mul(to_words(larger(j, zero)), stride);
-  const WordVec y1 = hn::Mul(to_words(smaller(hn::Add(j, one), last)), stride);
+  const WordVec y0 = hn::Mul(texels_at(larger(j, zero), light.height), stride);
+  const WordVec y1 = hn::Mul(texels_at(smaller(hn::Add(j, one), last), light.height), stride);
   const FloatVec rest_x = hn::Sub(one, fx), rest_y = hn::Sub(one, fy);
   const FloatVec3 upper = rest_x * environment_texel(light, hn::Add(y0, x0)) +
                           fx * environment_texel(light, hn::Add(y0, x1));

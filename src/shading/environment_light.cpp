@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr float kUniformPdf = 0.25f * kInvPi;
 
-float fraction(float x) { return x - static_cast<float>(floor_to_int(x)); }
+float fraction(float x) { return x - std::floor(x); }
 
 Vec2f uv_of(const Vec3f& d, float turn) {
   const float u = fast_atan2(d.z, d.x) * (0.5f * kInvPi) + 0.5f + turn;
@@ -93,7 +94,8 @@ std::vector<float> blurred(const std::vector<float>& values, int columns, int ro
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const SceneView& scene, const TextureSet& textures)
-    : turn_(scene.environment.rotation / 360.0f), colour_(scene.environment.colour) {
+    : turn_(std::fmod(scene.environment.rotation, 360.0f) / 360.0f),
+      colour_(scene.environment.colour) {
   const Environment& environment = scene.environment;
   black_ = environment.kind == EnvironmentKind::none || !(max_component(colour_) > 0);
   if (black_) return;
@@ -219,6 +221,10 @@ void EnvironmentLight::build_distribution() {
 }
 
 Vec3f EnvironmentLight::lookup(Vec2f uv) const {
+  if (!(uv.x >= 0 && uv.y >= 0)) {  // of a direction that is not a number
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    return {kNone, kNone, kNone};
+  }
   const float x = uv.x * static_cast<float>(width_) - 0.5f;
   const float y = uv.y * static_cast<float>(height_) - 0.5f;
   const int i = floor_to_int(x), j = floor_to_int(y);

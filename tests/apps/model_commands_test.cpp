@@ -144,6 +144,28 @@ TEST(RenderModels, AnErrorSaysWhyNothingIsLeft) {
                  "1 triangles without area");
 }
 
+// A triangle with corners of this size, seen whole.
+std::string triangle_of_size(const std::string& size) {
+  return "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n";
+}
+
+TEST(RenderModels, NoSizeIsTooSmallToBeLookedAt) {
+  for (const std::string size : {"1e-25", "1e-30", "1e-37"}) {
+    const Outcome outcome = outcome_of({{"a.obj", triangle_of_size(size)}}, "a.obj");
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 65) << size << outcome.messages;
+    EXPECT_FALSE(outcome.messages.empty()) << size;
+  }
+}
+
+TEST(RenderModels, AnyTurnOfTheEnvironmentWillDo) {
+  for (const std::string turn : {"1e39", "-1e300", "360000000090"}) {
+    const Outcome outcome =
+        outcome_of({{"a.obj", triangle_of_size("1")}}, "a.obj", {"--rotate=" + turn});
+    EXPECT_EQ(outcome.exit_code, 0) << turn << outcome.messages;
+    EXPECT_EQ(outcome.messages.find("not finite"), std::string::npos) << outcome.messages;
+  }
+}
+
 TEST(RenderModels, APictureOfNothingIsAWarning) {
   const auto pbrt = [](const std::string& world) {
     return outcome_of({{"a.pbrt", "Camera \"perspective\"\nWorldBegin\n" + world}}, "a.pbrt");

@@ -136,5 +136,41 @@ TEST(CameraRays, DegenerateCamerasAreErrors) {
   EXPECT_FALSE(CameraRays::create(no_up, size(2, 2)));
 }
 
+// Without a lens, where the camera is focused changes nothing but the unit of distances.
+TEST(CameraRays, PinholesLookTheSameWayAtAnyFocus) {
+  for (const double height : {0.0, 3.0}) {
+    Camera camera = axis_camera();
+    camera.aperture = 0;
+    camera.orthographic_height = height;
+    camera.focus_distance = 1;
+    const CameraRays expected = CameraRays::create(camera, size(8, 6)).value();
+    for (const double focus : {5e-324, 1e-30, 1e-22, 1e-9, 1e9, 1e18, 1e300}) {
+      camera.focus_distance = focus;
+      const auto rays = CameraRays::create(camera, size(8, 6));
+      ASSERT_TRUE(rays) << focus;
+      for (int x = 0; x < 8; ++x) {
+        const Ray ray = rays->generate(x, 2, kLensCentre);
+        const Ray same = expected.generate(x, 2, kLensCentre);
+        const Vec3f direction = normalize(ray.direction);
+        ASSERT_TRUE(is_finite(direction)) << focus;
+        EXPECT_LT(length(direction - normalize(same.direction)), 1e-6f) << focus;
+        if (focus > 1) continue;
+        EXPECT_LT(length(ray.origin - same.origin), 1e-5f) << focus;
+      }
+    }
+  }
+}
+
+TEST(CameraRays, ALensIsFocusedWithinBounds) {
+  Camera camera = axis_camera();
+  camera.aperture = 1e-3;
+  for (const double focus : {1e-30, 1e18}) {
+    camera.focus_distance = focus;
+    const auto rays = CameraRays::create(camera, size(8, 6));
+    ASSERT_FALSE(rays) << focus;
+    EXPECT_EQ(rays.error().code, Errc::bad_data);
+  }
+}
+
 }  // namespace
 }  // namespace dapple::test

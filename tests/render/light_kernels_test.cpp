@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -141,6 +143,43 @@ TEST(LightKernels, LookTheEnvironmentUp) {
         ASSERT_EQ(escapes->pdf[i], light.pdf(d)) << i;
       }
     });
+  }
+}
+
+// Whatever went wrong before: nothing beyond the picture is read.
+TEST(LightKernels, DirectionsThatAreNotNumbersStayWithinTheEnvironment) {
+  Chance chance(4);
+  const float none = std::numeric_limits<float>::quiet_NaN(), infinite = HUGE_VALF;
+  const auto escapes = std::make_unique<EscapeChunk>();
+  for (const bool rgbe : {false, true}) {
+    const Scene scene = noisy_surroundings(chance, rgbe, 30, 20);
+    const EnvironmentLight light(scene, TextureSet(scene));
+    const auto view = light.view();
+    ASSERT_TRUE(view);
+    const Vec3f bad[] = {{none, none, none}, {none, 0.5f, 0.5f}, {0.5f, none, 0.5f},
+                         {0.5f, 0.5f, none}, {infinite, 0, 0},   {0, infinite, 0},
+                         {0, 0, -infinite},  {0, 0, 0},          {1e30f, 1e30f, 1e30f},
+                         {1e-40f, 1e-40f, 0}};
+    for (const Vec3f& d : bad) {
+      light.radiance(d), light.pdf(d);
+      for (std::size_t i = 0; i < kChunk; ++i) {
+        for (int axis = 0; axis < 3; ++axis) escapes->direction[axis][i] = d[axis];
+      }
+      on_every_isa(
+          [&](const LightKernels& kernels) { kernels.see_environment(*view, kChunk, *escapes); });
+    }
+  }
+}
+
+TEST(LightKernels, AnyFiniteRotationGivesATurnWithinOne) {
+  Chance chance(5);
+  Scene scene = noisy_surroundings(chance, false, 30, 20);
+  for (const float degrees : {0.0f, -359.0f, 360.0f, 1e30f, -3.4e38f}) {
+    scene.environment.rotation = degrees;
+    const EnvironmentLight light(scene, TextureSet(scene));
+    const auto view = light.view();
+    ASSERT_TRUE(view);
+    EXPECT_LT(std::fabs(view->turn), 1.0f) << degrees;
   }
 }
 
