@@ -21,7 +21,10 @@ bool any_hit(const PreparedScene& scene, const RenderSettings& settings, const C
     row.clear();
     for (int x = step / 2; x < settings.width; x += step) {
       Ray ray = rays.generate(x, y, {0.5f, 0.5f, 0.5f, 0.5f});
-      ray.direction = normalize(ray.direction);
+      const float unit = length(ray.direction);
+      ray.direction = ray.direction / unit;
+      // As renderings do: light paths see all that is before the camera.
+      ray.t_min = scene.lit_or_null() != nullptr ? 0 : kRayTMin * unit;
       row.push_back(ray);
     }
     occluded.assign(row.size(), 0);

@@ -179,5 +179,11 @@ TEST(RenderModels, APictureOfNothingIsAWarning) {
   expect_warning(pbrt(sky + "Material \"diffuse\"\n" + shape), "the picture is black");
 }
 
+TEST(RenderModels, ASmallModelIsSeen) {
+  const Outcome outcome = outcome_of({{"a.obj", triangle_of_size("1e-4")}}, "a.obj");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.messages.find("warning"), std::string::npos) << outcome.messages;
+}
+
 }  // namespace
 }  // namespace dapple

@@ -36,6 +36,16 @@ TEST(Sight, WhereTheCameraIsFocusedDoesNotMatter) {
   EXPECT_TRUE(sees(scene, 64));
 }
 
+TEST(Sight, SmallThingsAreSeenFromNearBy) {
+  for (const double size : {1e-3, 1e-4, 1e-8}) {
+    Scene scene = sphere_at({0, 0, 0}, size);
+    scene.camera.orthographic_height = 0;
+    scene.camera.look_from = {0, 0, 4 * size};
+    scene.camera.focus_distance = 4 * size;
+    EXPECT_TRUE(sees(scene, 64)) << size;
+  }
+}
+
 TEST(Sight, AShapeAsLargeAsAPixelIsFound) {
   const double pixel = 4.0 / 256;
   EXPECT_TRUE(sees(sphere_at({1.2345, -0.777, 0}, pixel), 256));
