@@ -43,6 +43,7 @@ struct Report {
   BvhQuality bvh_quality = BvhQuality::medium;
   LeafForm leaf_form = LeafForm::whole;
   bool classic = true;
+  bool warn_of_nothing = false;  // when no surface is seen
   double load_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
   std::uint64_t dropped_samples = 0;
   double clamped_radiance = 0;
@@ -101,7 +102,7 @@ Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, 
   Clock clock;
   const PreparedScene prepared(
       scene, make_accel(report.accel, scene, report.bvh_quality, report.leaf_form));
-  if (!report.classic && !sees_surfaces(prepared, report.settings)) {
+  if (report.warn_of_nothing && !sees_surfaces(prepared, report.settings)) {
     print_warning("no surface is in the camera's sight");
   }
   report.build_seconds = lap(clock);
@@ -149,6 +150,13 @@ bool is_display_format(const std::string& path) {
 float exposure_for(const Arguments& arguments, const SceneView& scene, const Image& image) {
   if (arguments.given("exposure")) return static_cast<float>(arguments.real("exposure"));
   return scene.environment.kind == EnvironmentKind::none ? automatic_exposure(image) : 0.0f;
+}
+
+// A classic scene's own camera may look at the sky on purpose.
+bool should_see_surfaces(const Arguments& arguments, const SceneView& scene, bool classic) {
+  if (!classic) return true;
+  return scene.object_count() > 0 &&
+         (arguments.given("orbit") || arguments.given("target") || arguments.given("fov"));
 }
 
 // Names that promise a format we do not write: a PPM file of that name would be a trap.
@@ -207,6 +215,7 @@ Expected<int> run_render(const Arguments& arguments) {
   const SceneView& view = shot->view.view();
   report.load_seconds = lap(clock);
   report.classic = is_classic(view);
+  report.warn_of_nothing = should_see_surfaces(arguments, view, report.classic);
   report.settings = settings_from(arguments, report.classic);
   report.settings.width = shot->size[0];
   report.settings.height = shot->size[1];

@@ -185,5 +185,16 @@ TEST(RenderModels, ASmallModelIsSeen) {
   EXPECT_EQ(outcome.messages.find("warning"), std::string::npos) << outcome.messages;
 }
 
+TEST(RenderClassic, ACameraThatWasAskedForSeesSomethingOrWarns) {
+  expect_warning(outcome_of({}, "nice", {"--orbit=0,90,1e6"}),
+                 "no surface is in the camera's sight");
+  for (const Words& more : {Words{}, {"--orbit=0,90,10"}}) {
+    const Outcome outcome = outcome_of({}, "nice", more);
+    EXPECT_EQ(outcome.messages.find("warning"), std::string::npos) << outcome.messages;
+  }
+  EXPECT_EQ(outcome_of({}, "empty", {"--orbit=0,90,1e6"}).messages.find("warning"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace dapple
