@@ -16,6 +16,7 @@
 #include "image/formats.h"
 #include "image/tone_map.h"
 #include "parallel/parallel.h"
+#include "render/film.h"
 #include "render/lit_scene.h"
 #include "render/render_job.h"
 #include "render/sight.h"
@@ -45,7 +46,7 @@ struct Report {
   bool classic = true;
   bool warn_of_nothing = false;  // when no surface is seen
   double load_seconds = 0, build_seconds = 0, render_seconds = 0, write_seconds = 0;
-  std::uint64_t dropped_samples = 0;
+  std::uint64_t dropped_samples = 0, cut_samples = 0;
   double clamped_radiance = 0;
   float exposure = 0;  // stops
 
@@ -80,6 +81,7 @@ std::string as_json(const Report& report, const Arguments& arguments) {
       {"write_seconds", report.write_seconds},
       {"samples_per_second", report.samples_per_second()},
       {"dropped_samples", report.dropped_samples},
+      {"cut_samples", report.cut_samples},
       {"clamped_radiance", report.clamped_radiance},
       {"exposure", report.exposure},
   };
@@ -125,12 +127,16 @@ void print_warnings(const Report& report, const Image& image) {
     print_warning(
         fmt::format("{} samples were not finite and count as black", report.dropped_samples));
   }
+  if (report.cut_samples > 0) {
+    print_warning(fmt::format("{} samples were brighter than {:g} and count as that bright",
+                              report.cut_samples, kFilmClamp));
+  }
   if (is_black(image)) {
     print_warning("the picture is black: no light reaches the camera");
   }
   if (report.clamped_radiance > 0) {
     print_warning(fmt::format("clamping took {:.3g} of radiance from the mean pixel",
-                              report.clamped_radiance / 3));
+                              report.clamped_radiance));
   }
 }
 
@@ -224,6 +230,7 @@ Expected<int> run_render(const Arguments& arguments) {
   auto result = render_scene(view, !arguments.given("quiet"), report);
   if (!result) return tl::unexpected(result.error());
   report.dropped_samples = result->dropped_samples;
+  report.cut_samples = result->cut_samples;
   report.clamped_radiance = result->clamped_radiance;
   print_warnings(report, result->image);
 

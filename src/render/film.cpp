@@ -11,6 +11,7 @@ void TileSums::add(std::size_t index, const Vec3f& radiance) {
     ++dropped_;
     return;
   }
+  if (std::max({radiance.x, radiance.y, radiance.z}) > kFilmClamp) ++cut_;
   for (int channel = 0; channel < 3; ++channel) {
     const float value = std::clamp(radiance[channel], 0.0f, kFilmClamp);
     // Exact: scaling by a power of two, then rounding to the nearest step.
@@ -36,6 +37,7 @@ void Film::merge(const TileSums& tile) {
     }
   }
   dropped_ += tile.dropped();
+  cut_ += tile.cut_count();
 }
 
 Image Film::to_image(int samples) const {

@@ -37,21 +37,24 @@ class TileSums {
       : tile_(tile), sums_(static_cast<std::size_t>(tile.pixel_count())) {}
 
   // Adds one sample to pixel `index` of the tile (row by row). A sample that is not finite is
-  // counted and left out.
+  // counted and left out; one that is cut is counted.
   void add(std::size_t index, const Vec3f& radiance);
 
-  // For code that adds many samples at once: the sums, channel by channel, and what it left out.
+  // For code that adds many samples at once: the sums, channel by channel, and how many it left
+  // out or cut.
   std::int64_t* steps() { return reinterpret_cast<std::int64_t*>(sums_.data()); }
   void drop(std::uint64_t count) { dropped_ += count; }
+  void cut(std::uint64_t count) { cut_ += count; }
 
   const Tile& tile() const { return tile_; }
   std::span<const PixelSum> sums() const { return sums_; }
   std::uint64_t dropped() const { return dropped_; }
+  std::uint64_t cut_count() const { return cut_; }
 
  private:
   Tile tile_;
   std::vector<PixelSum> sums_;
-  std::uint64_t dropped_ = 0;
+  std::uint64_t dropped_ = 0, cut_ = 0;
 };
 
 class Film {
@@ -66,12 +69,14 @@ class Film {
 
   // Samples that were not finite and count as black.
   std::uint64_t dropped() const { return dropped_; }
+  // Samples brighter than the film holds.
+  std::uint64_t cut_count() const { return cut_; }
 
  private:
   int width_;
   int height_;
   HugeArray<PixelSum> sums_;  // zero at first
-  std::uint64_t dropped_ = 0;
+  std::uint64_t dropped_ = 0, cut_ = 0;
   std::mutex mutex_;
 };
 

@@ -100,11 +100,12 @@ class Films {
     clamped_steps_ += output.clamped_steps;
   }
   RenderResult result() const {
-    RenderResult result{colour_.to_image(settings_.samples_per_pixel), colour_.dropped()};
-    const double samples =
-        double{1.0} * settings_.width * settings_.height * settings_.samples_per_pixel;
+    RenderResult result{colour_.to_image(settings_.samples_per_pixel), colour_.dropped(),
+                        colour_.cut_count()};
+    const double values =
+        double{3.0} * settings_.width * settings_.height * settings_.samples_per_pixel;
     result.clamped_radiance =
-        static_cast<double>(clamped_steps_.load()) / (double{kFilmStepsPerUnit} * samples);
+        static_cast<double>(clamped_steps_.load()) / (double{kFilmStepsPerUnit} * values);
     if (alpha_) {
       for (const Vec3f& pixel : alpha_->to_image(settings_.samples_per_pixel).pixels) {
         result.image.alpha.push_back(pixel.x);

@@ -25,8 +25,9 @@ struct RenderControl {
 struct RenderResult {
   Image image;                        // linear radiance
   std::uint64_t dropped_samples = 0;  // samples that were not finite and count as black
-  // Mean over the picture of the radiance, all channels together, that the clamp of indirect light
-  // took away.
+  std::uint64_t cut_samples = 0;      // samples brighter than the film holds, kFilmClamp
+  // Mean over the picture and its channels of the radiance that the clamp of indirect light took
+  // away.
   double clamped_radiance = 0;
 };
 

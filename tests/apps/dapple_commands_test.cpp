@@ -171,6 +171,19 @@ TEST(Render, WarnsOfSamplesThatAreNotFinite) {
   EXPECT_TRUE(result.err.starts_with("dapple: warning: ")) << result.err;
 }
 
+TEST(Render, WarnsOfSamplesBrighterThanTheFilm) {
+  const TestFolder folder;
+  Scene scene;
+  scene.add_sphere({{0, 0, -3}, 1}, scene.add_material(Lambertian{{1e6, 1, 1}}));
+  ASSERT_TRUE(store_scene_file(folder.path("bright").string(), scene));
+  const auto result = folder.run(small_render("bright", "a.png", {"-q", "--json"}));
+  EXPECT_EQ(result.exit_code, 0);
+  const auto count = json::parse(result.out)["cut_samples"].get<int>();
+  EXPECT_GT(count, 0);
+  EXPECT_EQ(result.err, "dapple: warning: " + std::to_string(count) +
+                            " samples were brighter than 16384 and count as that bright\n");
+}
+
 TEST(Convert, StoresWithAndWithoutBvh) {
   const TestFolder folder;
   ASSERT_EQ(folder.run({"dapple", "convert", "irreg", "-o", "with", "-q"}).exit_code, 0);

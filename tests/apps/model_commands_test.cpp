@@ -196,5 +196,34 @@ TEST(RenderClassic, ACameraThatWasAskedForSeesSomethingOrWarns) {
             std::string::npos);
 }
 
+TEST(RenderModels, SamplesBrighterThanTheFilmAreCounted) {
+  const auto lamp = [](const std::string& scale, const Words& more) {
+    return outcome_of({{"a.pbrt",
+                        "Camera \"perspective\"\nWorldBegin\n"
+                        "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] \"float scale\" " +
+                            scale + " Translate 0 0 5 Shape \"sphere\"\n"}},
+                      "a.pbrt", more);
+  };
+  expect_warning(lamp("1e5", {}), "samples were brighter than 16384");
+  EXPECT_EQ(lamp("1e4", {}).messages.find("brighter"), std::string::npos);
+}
+
+// The warning and the report for scripts name the same figure.
+TEST(RenderModels, WhatTheClampTookIsOneFigure) {
+  const TestFolder folder;
+  folder.write("a.pbrt",
+               "Camera \"perspective\"\nWorldBegin\nLightSource \"infinite\"\n"
+               "Translate 0 0 3 Shape \"sphere\"\nTranslate 0.9 0.5 0 Shape \"sphere\"\n");
+  const auto result =
+      folder.run({"dapple", "render", "a.pbrt", "-o", "a.png", "--spp=64", "--width=16",
+                  "--height=12", "--clamp-indirect=0.001", "--json", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string before = "clamping took ";
+  const std::size_t at = result.err.find(before);
+  ASSERT_NE(at, std::string::npos) << result.err;
+  const double warned = std::stod(result.err.substr(at + before.size()));
+  EXPECT_NEAR(json::parse(result.out)["clamped_radiance"].get<double>(), warned, 0.01 * warned);
+}
+
 }  // namespace
 }  // namespace dapple

@@ -71,6 +71,21 @@ TEST(Film, SamplesAreCutToTheRange) {
   Film film(1, 1);
   film.merge(sums);
   EXPECT_EQ(film.to_image(1).at(0, 0), Vec3f(0, kFilmClamp, kFilmClamp));
+  EXPECT_EQ(film.cut_count(), 1u);
+}
+
+TEST(Film, SamplesThatAreCutAreCounted) {
+  TileSums sums(Tile{0, 0, 1, 1});
+  sums.add(0, {kFilmClamp, kFilmClamp, kFilmClamp});
+  EXPECT_EQ(sums.cut_count(), 0u);
+  sums.add(0, {0, 0, 2 * kFilmClamp});
+  sums.add(0, {1e30f, 1e30f, 1e30f});
+  sums.add(0, {kInfinite, 0, 0});
+  EXPECT_EQ(sums.cut_count(), 2u);
+  Film film(1, 1);
+  film.merge(sums);
+  film.merge(sums);
+  EXPECT_EQ(film.cut_count(), 4u);
 }
 
 // The brightest picture of the most samples stays within 64 bits.

@@ -162,6 +162,7 @@ void expect_scalar_sums(const Scene& scene, const std::string& name) {
         paths.render({1, 3}, output);
         const TileSums& sums = output.colour;
         EXPECT_EQ(sums.dropped(), expected.dropped()) << name << ", " << isa;
+        EXPECT_EQ(sums.cut_count(), expected.cut_count()) << name << ", " << isa;
         EXPECT_TRUE(std::ranges::equal(sums.sums(), expected.sums())) << name << ", " << isa;
       }
     }

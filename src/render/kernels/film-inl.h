@@ -59,6 +59,12 @@ HWY_INLINE void sum_large(const FilmLanes& lanes, std::size_t count, std::int64_
   }
 }
 
+HWY_INLINE FloatMask is_too_bright(FloatVec3 radiance) {
+  const FloatVec most = all(kFilmClamp);
+  return hn::Or(hn::Gt(radiance.x, most),
+                hn::Or(hn::Gt(radiance.y, most), hn::Gt(radiance.z, most)));
+}
+
 // Adds the first `count` lanes.
 HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec x, WordVec y, std::size_t count,
                             TileSums& sums) {
@@ -73,12 +79,14 @@ HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec x, WordVec y, std::size_
   const FloatMask large = hn::Or(store_channel(radiance.x, finite, 0, lanes),
                                  hn::Or(store_channel(radiance.y, finite, 1, lanes),
                                         store_channel(radiance.z, finite, 2, lanes)));
+  const FloatMask counted = hn::FirstN(Floats(), count);
   if (HWY_UNLIKELY(any(large))) {
     sum_large(lanes, count, sums.steps());
+    const FloatMask added = hn::And(finite, counted);
+    sums.cut(hn::CountTrue(Floats(), hn::And(added, is_too_bright(radiance))));
   } else {
     sum_words(lanes, count, sums.steps());
   }
-  const FloatMask counted = hn::FirstN(Floats(), count);
   sums.drop(hn::CountTrue(Floats(), hn::AndNot(finite, counted)));
 }
 
