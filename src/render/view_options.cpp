@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <span>
@@ -32,6 +33,25 @@ void copy_bytes(std::span<const std::uint8_t> from, std::uint8_t* to) {
     const auto block = from.subspan(i * kBlock, std::min(kBlock, from.size() - i * kBlock));
     std::memcpy(to + i * kBlock, block.data(), block.size());
   });
+}
+
+// Light that is not a number or without end would be everywhere.
+Status check_finite(const Image& image, const std::string& path) {
+  const auto width = static_cast<std::size_t>(image.width);
+  std::atomic<std::size_t> first = image.pixels.size();
+  parallel_for_dynamic(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width && i < first; ++i) {
+      if (is_finite(image.pixels[i])) continue;
+      std::size_t before = first;
+      while (i < before && !first.compare_exchange_weak(before, i)) {
+      }
+    }
+  });
+  if (first == image.pixels.size()) return {};
+  return fail(Errc::bad_data, path,
+              fmt::format("the pixel in column {}, row {}, counted from 0 at the top left, is not "
+                          "finite",
+                          first % width, first / width));
 }
 
 }  // namespace
@@ -105,6 +125,7 @@ Status EditedView::choose_environment(const ViewOptions& options) {
 Status EditedView::load_environment(const std::string& path) {
   auto image = read_image(path);
   if (!image) return tl::unexpected(image.error());
+  if (auto status = check_finite(*image, path); !status) return status;
   images_.assign(view_.images.begin(), view_.images.end());
   TextureImage entry;
   entry.width = static_cast<std::uint32_t>(image->width);

@@ -196,6 +196,27 @@ TEST(RenderClassic, ACameraThatWasAskedForSeesSomethingOrWarns) {
             std::string::npos);
 }
 
+// Two pixels, the second with these bytes in its red channel.
+std::string float_map(const std::string& red) {
+  const std::string zero(4, '\0');
+  return "PF\n2 1\n-1\n" + zero + zero + zero + red + zero + zero;
+}
+
+TEST(RenderModels, AnEnvironmentThatIsNotFiniteIsRefused) {
+  const std::string triangle = triangle_of_size("1");
+  const std::string not_a_number("\x00\x00\xc0\x7f", 4), infinite("\x00\x00\x80\x7f", 4),
+      one("\x00\x00\x80\x3f", 4);
+  for (const std::string& red : {not_a_number, infinite}) {
+    expect_refusal(outcome_of({{"a.obj", triangle}, {"sky.pfm", float_map(red)}}, "a.obj",
+                              {"--environment=sky.pfm"}),
+                   65, "sky.pfm: the pixel in column 1, row 0");
+  }
+  EXPECT_EQ(outcome_of({{"a.obj", triangle}, {"sky.pfm", float_map(one)}}, "a.obj",
+                       {"--environment=sky.pfm"})
+                .exit_code,
+            0);
+}
+
 TEST(RenderModels, SamplesBrighterThanTheFilmAreCounted) {
   const auto lamp = [](const std::string& scale, const Words& more) {
     return outcome_of({{"a.pbrt",
