@@ -225,8 +225,14 @@ Expected<int> run_render(const Arguments& arguments) {
   report.settings = settings_from(arguments, report.classic);
   report.settings.width = shot->size[0];
   report.settings.height = shot->size[1];
-  if (auto status = validate(report.settings).and_then(check_stop); !status)
+  if (auto status = validate(report.settings)
+                        .and_then([&]() -> Status {
+                          return report.classic ? check_classic_options(arguments) : Status();
+                        })
+                        .and_then(check_stop);
+      !status) {
     return tl::unexpected(status.error());
+  }
   auto result = render_scene(view, !arguments.given("quiet"), report);
   if (!result) return tl::unexpected(result.error());
   report.dropped_samples = result->dropped_samples;

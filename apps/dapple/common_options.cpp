@@ -8,6 +8,21 @@
 #include "parallel/parallel.h"
 
 namespace dapple {
+namespace {
+
+Status check_import_options(const Arguments& arguments, const SceneInput& input) {
+  if (input.imported) return {};
+  for (const char* name : {"scene", "variant", "time", "point-radius"}) {
+    if (!arguments.given(name)) continue;
+    return fail(
+        Errc::usage, fmt::format("--{}", name),
+        fmt::format("does not apply to {}, which is not a model file", arguments.text("SCENE")));
+  }
+  return {};
+}
+
+}  // namespace
+
 
 Status set_up_computing(const Arguments& arguments) {
   set_thread_count(arguments.small_integer("threads"));
@@ -21,6 +36,9 @@ Expected<SceneInput> open_scene(const Arguments& arguments, VerifyScope scope) {
   options.scope = scope;
   auto input = open_scene_input(arguments.text("SCENE"), options, import_options_from(arguments));
   if (!input) return input;
+  if (auto status = check_import_options(arguments, *input); !status) {
+    return tl::unexpected(status.error());
+  }
   for (const std::string& warning : input->warnings) {
     print_message(fmt::format("dapple: warning: {}\n", warning));
   }

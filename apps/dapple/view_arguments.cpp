@@ -1,5 +1,7 @@
 #include "dapple/view_arguments.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,6 +84,16 @@ RenderSettings settings_from(const Arguments& arguments, bool classic) {
   settings.transparent_background = arguments.given("transparent");
   settings.clamp_indirect = static_cast<float>(arguments.number("clamp-indirect"));
   return settings;
+}
+
+Status check_classic_options(const Arguments& arguments) {
+  for (const char* name : {"transparent", "rotate", "filter", "clamp-indirect"}) {
+    if (!arguments.given(name)) continue;
+    return fail(Errc::usage, fmt::format("--{}", name),
+                fmt::format("does not apply to the classic scene {} under its own sky",
+                            arguments.text("SCENE")));
+  }
+  return {};
 }
 
 Expected<std::array<int, 2>> picture_size(const Arguments& arguments, const SceneInput& input,

@@ -17,6 +17,8 @@ namespace dapple {
 [[nodiscard]] Expected<ViewOptions> view_options_from(const Arguments& arguments);
 // Those of --spp and --depth that depend on the scene come from `classic`.
 [[nodiscard]] RenderSettings settings_from(const Arguments& arguments, bool classic);
+// A usage error when an option is given that classic scenes have no use for.
+[[nodiscard]] Status check_classic_options(const Arguments& arguments);
 // Width and height: those given. The one that is not given, or both, come from the film that the
 // file describes, or from the shape of pictures that its camera is meant for.
 [[nodiscard]] Expected<std::array<int, 2>> picture_size(const Arguments& arguments,

@@ -24,9 +24,12 @@ Expected<SceneInput> import_input(const std::string& path, const ImportOptions& 
   if (!has_camera) {
     imported->scene.camera = frame_scene(scene_bounds(imported->scene), kUsualAspect);
   }
-  return SceneInput{SceneSource::of(std::move(imported->scene)), has_camera,
-                    std::move(imported->warnings), imported->resolution,
-                    std::move(imported->camera_aspects)};
+  return SceneInput{SceneSource::of(std::move(imported->scene)),
+                    has_camera,
+                    std::move(imported->warnings),
+                    imported->resolution,
+                    std::move(imported->camera_aspects),
+                    true};
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct SceneInput {
   // for; 0: any.
   std::optional<std::array<int, 2>> resolution = std::nullopt;
   std::vector<double> camera_aspects = {};
+  bool imported = false;  // from a model file: the options of imports had their say
 
   const SceneView& view() const { return source.view(); }
 };

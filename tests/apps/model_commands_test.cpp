@@ -196,6 +196,17 @@ TEST(RenderClassic, ACameraThatWasAskedForSeesSomethingOrWarns) {
             std::string::npos);
 }
 
+TEST(RenderClassic, OptionsThatDoNotApplyAreRefused) {
+  for (const std::string option :
+       {"--transparent", "--rotate=9", "--filter=box", "--clamp-indirect=1", "--time=1",
+        "--variant=a", "--scene=0", "--point-radius=1"}) {
+    expect_refusal(outcome_of({}, "nice", {option}), 64,
+                   option.substr(0, option.find('=')) + ": does not apply to");
+  }
+  EXPECT_EQ(
+      outcome_of({}, "nice", {"--environment=studio", "--transparent", "--rotate=9"}).exit_code, 0);
+}
+
 // Two pixels, the second with these bytes in its red channel.
 std::string float_map(const std::string& red) {
   const std::string zero(4, '\0');
