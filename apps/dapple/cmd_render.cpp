@@ -15,6 +15,7 @@
 #include "dapple/view_arguments.h"
 #include "image/formats.h"
 #include "image/tone_map.h"
+#include "image/transfer.h"
 #include "parallel/parallel.h"
 #include "render/film.h"
 #include "render/lit_scene.h"
@@ -165,6 +166,24 @@ bool should_see_surfaces(const Arguments& arguments, const SceneView& scene, boo
          (arguments.given("orbit") || arguments.given("target") || arguments.given("fov"));
 }
 
+// What is left of the brightest channel is less than half a step of the file.
+bool is_too_dark(const Image& image, const std::string& path, const ImageWriteOptions& options) {
+  float most = 0;
+  for (const Vec3f& pixel : image.pixels) most = std::max({most, pixel.x, pixel.y, pixel.z});
+  const bool fine = format_ending(path) == ".png" && options.png_bits == 16;
+  return encode_integer(most, options.transfer, fine ? 65535 : 255) == 0;
+}
+
+// Fits radiance into what the file holds.
+void expose(Image& image, float exposure, const Arguments& arguments, const Report& report) {
+  const bool was_black = is_black(image);
+  apply_tone_map(image, tone_map_from(arguments, report.classic), exposure);
+  if (!was_black && is_too_dark(image, arguments.text("output"), write_options_from(arguments))) {
+    print_warning(
+        fmt::format("the picture is black: an exposure of {:g} stops leaves no light", exposure));
+  }
+}
+
 // Names that promise a format we do not write: a PPM file of that name would be a trap.
 Status check_format(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
@@ -243,7 +262,7 @@ Expected<int> run_render(const Arguments& arguments) {
   clock = Clock();
   if (is_display_format(output)) {
     report.exposure = exposure_for(arguments, view, result->image);
-    apply_tone_map(result->image, tone_map_from(arguments, report.classic), report.exposure);
+    expose(result->image, report.exposure, arguments, report);
   }
   if (auto status = write_image(output, result->image, write_options_from(arguments)); !status) {
     return tl::unexpected(status.error());

@@ -240,6 +240,14 @@ TEST(RenderModels, SamplesBrighterThanTheFilmAreCounted) {
   EXPECT_EQ(lamp("1e4", {}).messages.find("brighter"), std::string::npos);
 }
 
+TEST(RenderModels, AnExposureThatLeavesNoLightIsAWarning) {
+  const std::map<std::string, std::string> files = {{"a.obj", triangle_of_size("1")}};
+  expect_warning(outcome_of(files, "a.obj", {"--exposure=-30"}),
+                 "an exposure of -30 stops leaves no light");
+  EXPECT_EQ(outcome_of(files, "a.obj", {"--exposure=-2"}).messages.find("warning"),
+            std::string::npos);
+}
+
 // The warning and the report for scripts name the same figure.
 TEST(RenderModels, WhatTheClampTookIsOneFigure) {
   const TestFolder folder;
