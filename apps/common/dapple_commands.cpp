@@ -45,6 +45,7 @@ CommandInfo bench() {
                     "The textbook BVH and the fast one, side by side."},
                    {"OMP_PROC_BIND=true dapple bench --threads 1 --json spheres:1000000",
                     "One pinned thread, for a script to read."}},
+      .exit_codes = {{75, "Interrupted by a signal; the same command line can run again."}},
   };
 }
 
@@ -143,8 +144,10 @@ CommandInfo render() {
                      "A file that describes a film, as those of pbrt do, is rendered at its size, "
                      "and one whose camera says so in the shape of picture that it is meant for. "
                      "Of --width and --height, the one that is missing then follows the other.",
-                     "On a terminal, a rendering of more than a second shows its progress. SIGINT "
-                     "and SIGTERM stop it; nothing is written then."},
+                     "A sample counts with at most 16384 in each channel; a warning says how many "
+                     "were brighter.",
+                     "On a terminal, a rendering of more than a second shows its progress. SIGINT, "
+                     "SIGTERM and SIGHUP stop it; nothing is written then."},
       .arguments = {scene_argument()},
       .options = {output_option("The image to write"),
                   size_option("width", "Width in pixels", "800"),

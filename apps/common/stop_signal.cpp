@@ -25,6 +25,7 @@ void catch_signal(int number) {
 const std::atomic<bool>& catch_stop_signals() {
   catch_signal(SIGINT);
   catch_signal(SIGTERM);
+  catch_signal(SIGHUP);
   return stop_asked;
 }
 

@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as a flag that long work looks at.
+// SIGINT, SIGTERM and SIGHUP as a flag that long work looks at.
 #pragma once
 
 #include <atomic>

@@ -7,6 +7,7 @@
 #include "accel/kernels/dispatch.h"
 #include "common/clock.h"
 #include "common/standard_output.h"
+#include "common/stop_signal.h"
 #include "dapple/bench_rays.h"
 #include "dapple/commands.h"
 #include "dapple/common_options.h"
@@ -51,6 +52,7 @@ double median_seconds(int repeat, Work&& work) {
     const Clock clock;
     work();
     seconds.push_back(clock.seconds());
+    if (!check_stop()) break;
   }
   return median(std::move(seconds));
 }
@@ -92,6 +94,7 @@ Expected<Figures> measure(AccelKind kind, const SceneView& scene, const BenchSet
     const Clock clock;
     accel = make_accel(kind, scene, settings.bvh_quality, settings.leaf_form);
     build_seconds.push_back(clock.seconds());
+    if (auto status = check_stop(); !status) return tl::unexpected(status.error());
   }
   figures.build_seconds = median(std::move(build_seconds));
   figures.stats = accel->stats();
@@ -100,7 +103,7 @@ Expected<Figures> measure(AccelKind kind, const SceneView& scene, const BenchSet
   figures.coherent = measure_rays(*accel, *rays, settings.repeat);
   const auto bounced = make_bounce_rays(*accel, *rays, settings.camera.seed);
   figures.incoherent = measure_rays(*accel, bounced, settings.repeat);
-  return figures;
+  return check_stop().map([&] { return figures; });
 }
 
 double per_object(std::size_t amount, const AccelStats& stats) {
@@ -169,6 +172,7 @@ Status print_figures(const std::vector<Figures>& all, const SceneView& scene,
 }  // namespace
 
 Expected<int> run_bench(const Arguments& arguments) {
+  catch_stop_signals();
   BenchSettings settings;
   settings.camera.width = arguments.small_integer("width");
   settings.camera.height = arguments.small_integer("height");

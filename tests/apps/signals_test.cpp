@@ -37,6 +37,18 @@ void expect_stop(const std::string& program, int signal_number, int exit_code) {
 TEST(StopSignals, DappleEndsWith75) {
   expect_stop("dapple", SIGTERM, 75);
   expect_stop("dapple", SIGINT, 75);
+  expect_stop("dapple", SIGHUP, 75);
+}
+
+TEST(StopSignals, MeasurementsEndWith75) {
+  const TestFolder folder;
+  RunningProgram running(folder, {"dapple", "bench", "spheres:1000", "--repeat", "1000"},
+                         RunningProgram::ErrorStream::pipe);
+  ASSERT_TRUE(running.wait_until_caught(SIGINT));
+  running.send(SIGINT);
+  const auto result = running.finish();
+  EXPECT_EQ(result.exit_code, 75);
+  EXPECT_TRUE(result.err.starts_with("dapple: ")) << result.err;
 }
 
 TEST(StopSignals, ClassicProgramsFail) {
