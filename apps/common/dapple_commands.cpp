@@ -137,7 +137,8 @@ CommandInfo render() {
       .name = "dapple render",
       .summary = "render a scene to an image",
       .paragraphs = {"Renders SCENE and writes the image when it is complete. The ending of FILE "
-                     "chooses the format: .png, .exr, .pfm, .hdr, or PPM for any other. The same "
+                     "chooses the format: .png, .exr, .pfm, .hdr, or PPM for .ppm and others, "
+                     "except for those of formats that are not written, such as .jpg. The same "
                      "options give the same image, bit for bit, on any number of threads.",
                      "A model without a camera is shown whole, from a little to the right and "
                      "above. One without light stands in a neutral studio.",

@@ -22,6 +22,11 @@ Expected<int> run_convert(const Arguments& arguments) {
   }
   const auto source = open_scene(arguments);
   if (!source) return tl::unexpected(source.error());
+  if (source->imported) {
+    if (auto status = check_not_input(output, arguments.text("SCENE")); !status) {
+      return tl::unexpected(status.error());
+    }
+  }
   SceneView scene = source->view();
   WideBvh built;
   if (arguments.given("no-bvh")) {

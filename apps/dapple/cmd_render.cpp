@@ -197,6 +197,15 @@ Status check_format(const std::string& path) {
   return {};
 }
 
+Status check_not_inputs(const std::string& output, const Arguments& arguments) {
+  const std::string scene = arguments.text("SCENE");
+  if (SceneSource::is_path(scene)) {
+    if (auto status = check_not_input(output, scene); !status) return status;
+  }
+  if (!arguments.given("environment")) return {};
+  return check_not_input(output, arguments.text("environment"));
+}
+
 // The view that the command line asks for, and the size of its picture.
 struct Shot {
   EditedView view;
@@ -227,6 +236,7 @@ Expected<int> run_render(const Arguments& arguments) {
   if (auto status = validate(settings_from(arguments, true))
                         .and_then([&] { return set_up_computing(arguments); })
                         .and_then([&] { return check_format(output); })
+                        .and_then([&] { return check_not_inputs(output, arguments); })
                         .and_then([&] { return check_output(output); });
       !status) {
     return tl::unexpected(status.error());

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "accel/kernels/dispatch.h"
 #include "common/program.h"
 #include "dapple/view_arguments.h"
@@ -23,6 +26,11 @@ Status check_import_options(const Arguments& arguments, const SceneInput& input)
 
 }  // namespace
 
+Status check_not_input(const std::string& output, const std::string& input) {
+  std::error_code none_such;
+  if (!std::filesystem::equivalent(output, input, none_such)) return {};
+  return fail(Errc::usage, output, "the output would replace an input");
+}
 
 Status set_up_computing(const Arguments& arguments) {
   set_thread_count(arguments.small_integer("threads"));

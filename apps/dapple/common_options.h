@@ -1,6 +1,8 @@
 // Options that several subcommands share.
 #pragma once
 
+#include <string>
+
 #include "dapple/arguments.h"
 #include "render/scene_input.h"
 
@@ -13,5 +15,8 @@ namespace dapple {
 // Warnings of an import are printed.
 [[nodiscard]] Expected<SceneInput> open_scene(const Arguments& arguments,
                                               VerifyScope scope = VerifyScope::everything);
+
+// A usage error when the two are the same file.
+[[nodiscard]] Status check_not_input(const std::string& output, const std::string& input);
 
 }  // namespace dapple

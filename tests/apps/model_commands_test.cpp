@@ -265,5 +265,24 @@ TEST(RenderModels, WhatTheClampTookIsOneFigure) {
   EXPECT_NEAR(json::parse(result.out)["clamped_radiance"].get<double>(), warned, 0.01 * warned);
 }
 
+TEST(RenderModels, AnInputIsNotReplaced) {
+  const TestFolder folder;
+  folder.write("a.obj", triangle_of_size("1"));
+  ASSERT_EQ(folder.run({"dapple", "convert", "a.obj", "-o", "a.scene", "-q"}).exit_code, 0);
+  folder.write("sky.pfm", float_map(std::string(4, '\0')));
+  const Words commands[] = {
+      {"dapple", "render", "a.scene", "-o", "./a.scene"},
+      {"dapple", "render", "a.obj", "-o", "a.obj"},
+      {"dapple", "convert", "a.obj", "-o", "a.obj"},
+      {"dapple", "render", "a.obj", "-o", "sky.pfm", "--environment=sky.pfm"}};
+  for (const Words& command : commands) {
+    const std::string before = folder.read(command[4]);
+    const auto result = folder.run(command);
+    EXPECT_EQ(result.exit_code, 64) << result.err;
+    EXPECT_NE(result.err.find("would replace an input"), std::string::npos) << result.err;
+    EXPECT_EQ(folder.read(command[4]), before);
+  }
+}
+
 }  // namespace
 }  // namespace dapple
