@@ -228,6 +228,17 @@ TEST(RenderModels, AnEnvironmentThatIsNotFiniteIsRefused) {
             0);
 }
 
+TEST(RenderModels, TexelsThatAreNotFiniteAreRefusedOrBlack) {
+  const std::map<std::string, std::string> files = {
+      {"a.pbrt",
+       "Camera \"perspective\"\nWorldBegin\n"
+       "LightSource \"infinite\" \"string filename\" \"sky.pfm\"\n"
+       "Translate 0 0 5 Shape \"sphere\"\n"},
+      {"sky.pfm", float_map(std::string("\x00\x00\xc0\x7f", 4))}};
+  expect_refusal(outcome_of(files, "a.pbrt"), 65, "texels of image 0 are not finite");
+  expect_warning(outcome_of(files, "a.pbrt", {"--keep-going"}), "they are black");
+}
+
 TEST(RenderModels, SamplesBrighterThanTheFilmAreCounted) {
   const auto lamp = [](const std::string& scale, const Words& more) {
     return outcome_of({{"a.pbrt",
