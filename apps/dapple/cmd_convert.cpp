@@ -36,7 +36,8 @@ Expected<int> run_convert(const Arguments& arguments) {
         build_wide_bvh(scene, nullptr, parse_bvh_quality(arguments.text("bvh-quality")).value());
     scene.bvh = built.view();
   }
-  if (auto status = check_stop().and_then([&] { return store_scene_file(output, scene); });
+  if (auto status =
+          check_stop().and_then([&] { return store_scene_file(output, scene, source->pictures); });
       !status) {
     return tl::unexpected(status.error());
   }

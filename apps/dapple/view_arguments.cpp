@@ -22,11 +22,12 @@ int integer_or(const Arguments& arguments, std::string_view name, int automatic)
 
 // Width over height of the pictures that a file means; 0: any.
 Expected<double> meant_aspect(const SceneInput& input, const ViewOptions& options) {
-  if (input.resolution) return double((*input.resolution)[0]) / (*input.resolution)[1];
-  if (input.camera_aspects.empty() || options.orbit || options.target) return 0;
-  if (options.camera.empty()) return input.camera_aspects[0];
+  const PictureShape& pictures = input.pictures;
+  if (pictures.resolution) return double((*pictures.resolution)[0]) / (*pictures.resolution)[1];
+  if (pictures.camera_aspects.empty() || options.orbit || options.target) return 0;
+  if (options.camera.empty()) return pictures.camera_aspects[0];
   return camera_index(input.view().cameras, options.camera).map([&](std::size_t i) {
-    return input.camera_aspects[i];
+    return pictures.camera_aspects[i];
   });
 }
 
@@ -103,7 +104,7 @@ Expected<std::array<int, 2>> picture_size(const Arguments& arguments, const Scen
   const bool has_width = arguments.given("width"), has_height = arguments.given("height");
   std::array<int, 2> size = {arguments.small_integer("width"), arguments.small_integer("height")};
   if ((has_width && has_height) || *aspect == 0) return size;
-  if (!has_width && !has_height && input.resolution) return *input.resolution;
+  if (!has_width && !has_height && input.pictures.resolution) return *input.pictures.resolution;
   if (has_height) {
     size[0] = side(size[1] * *aspect);
   } else {

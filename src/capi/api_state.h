@@ -48,6 +48,7 @@ inline Point to_point(const Vec3d& v) { return {v.x, v.y, v.z}; }
 struct Scene::State {
   lib::Scene scene;
   std::optional<SceneSource> source;
+  PictureShape pictures = {};  // what the file that was opened says, kept for saving
 
   SceneView view() const { return source ? source->view() : SceneView(scene); }
 };

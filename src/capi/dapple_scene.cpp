@@ -29,6 +29,7 @@ Result<Scene> Scene::open(const std::string& name_or_path) noexcept {
     if (!input) return to_error(input.error());
     auto state = std::make_shared<State>();
     state->source.emplace(std::move(input->source));
+    state->pictures = std::move(input->pictures);
     return Scene(std::move(state));
   });
 }
@@ -39,6 +40,7 @@ Scene::State& Scene::own_state() {
   } else if (state_->source || state_.use_count() > 1) {
     auto own = std::make_shared<State>();
     own->scene = copy_of(state_->view());
+    own->pictures = state_->pictures;
     state_ = std::move(own);
   }
   return *state_;
@@ -99,14 +101,15 @@ std::size_t Scene::object_count() const noexcept {
 Status Scene::save(const std::string& path, Contents contents) const noexcept {
   return guarded([&]() -> Status {
     const State empty;
-    SceneView view = (state_ == nullptr ? empty : *state_).view();
+    const State& state = state_ == nullptr ? empty : *state_;
+    SceneView view = state.view();
     WideBvh built;
     if (contents == Contents::scene) view.bvh = {};
     if (contents == Contents::scene_and_bvh && view.bvh.empty()) {
       built = build_wide_bvh(view);
       view.bvh = built.view();
     }
-    return to_status(store_scene_file(path, view));
+    return to_status(store_scene_file(path, view, state.pictures));
   });
 }
 

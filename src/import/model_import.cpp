@@ -104,7 +104,7 @@ Expected<ImportResult> ModelImport::finish() {
   ImportResult result;
   result.scene = std::move(*scene);
   result.warnings = log_.take();
-  result.camera_aspects = builder_.camera_aspects();
+  result.pictures.camera_aspects = builder_.camera_aspects();
   return result;
 }
 

@@ -56,12 +56,8 @@ Expected<SceneInput> import_input(const std::string& path, const ImportOptions& 
   if (!has_camera) {
     imported->scene.camera = frame_scene(scene_bounds(imported->scene), kUsualAspect);
   }
-  return SceneInput{SceneSource::of(std::move(imported->scene)),
-                    has_camera,
-                    std::move(imported->warnings),
-                    imported->resolution,
-                    std::move(imported->camera_aspects),
-                    true};
+  return SceneInput{SceneSource::of(std::move(imported->scene)), has_camera,
+                    std::move(imported->warnings), std::move(imported->pictures), true};
 }
 
 }  // namespace
@@ -73,7 +69,8 @@ Expected<SceneInput> open_scene_input(const std::string& name_or_path, const Ver
   }
   auto source = SceneSource::open(name_or_path, verify);
   if (!source) return tl::unexpected(source.error());
-  return SceneInput{std::move(*source), true, {}};
+  PictureShape pictures = source->pictures();
+  return SceneInput{std::move(*source), true, {}, std::move(pictures)};
 }
 
 }  // namespace dapple

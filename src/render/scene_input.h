@@ -1,12 +1,11 @@
 // The door to every kind of scene: named ones, scene files and files that can be imported.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "import/import_options.h"
+#include "scene/picture_shape.h"
 #include "scene_file/scene_source.h"
 #include "util/error.h"
 
@@ -16,10 +15,7 @@ struct SceneInput {
   SceneSource source;
   bool has_camera = true;             // false: the file had none, and one was made that sees it all
   std::vector<std::string> warnings;  // a line each
-  // Width and height that a file asks for, and width over height that each of its cameras is meant
-  // for; 0: any.
-  std::optional<std::array<int, 2>> resolution = std::nullopt;
-  std::vector<double> camera_aspects = {};
+  PictureShape pictures = {};
   bool imported = false;  // from a model file: the options of imports had their say
 
   const SceneView& view() const { return source.view(); }

@@ -23,8 +23,9 @@ static_assert(std::endian::native == std::endian::little,
 //   1.0  camera, materials, object order, spheres, rectangles, optional 16-wide BVH
 //   1.1  meshes, cylinders, prototypes and instances, layered materials, textures, images, lights,
 //        environment, further cameras, orthographic cameras
+//   1.2  size of the film and shapes of the cameras' pictures, both ignorable
 inline constexpr std::uint16_t kFormatMajor = 1;
-inline constexpr std::uint16_t kFormatMinor = 1;
+inline constexpr std::uint16_t kFormatMinor = 2;
 
 // As in PNG: a byte above 127, a name, and the line ends and end-of-file marks that a transfer in
 // text mode would change.
@@ -85,6 +86,8 @@ enum class SectionType : std::uint32_t {
   environment = section_type("ENVR"),
   cameras = section_type("CAMS"),
   orthographic = section_type("ORTH"),
+  film = section_type("FILM"),
+  camera_aspects = section_type("ASPC"),
   bvh_nodes = section_type("BVHN"),
   bvh_leaves = section_type("BVHL"),
 };
@@ -147,6 +150,13 @@ struct RunRecord {
   std::uint64_t count;
 };
 static_assert(sizeof(RunRecord) == 16);
+
+// The size in pixels that a picture has unless another is asked for.
+struct FilmRecord {
+  std::uint32_t width;
+  std::uint32_t height;
+};
+static_assert(sizeof(FilmRecord) == 8);
 
 constexpr std::uint64_t align_up(std::uint64_t value, std::uint64_t alignment) {
   return (value + alignment - 1) & ~(alignment - 1);

@@ -16,6 +16,7 @@ class MappedScene {
                                                   const VerifyOptions& options = {});
 
   const SceneView& view() const { return scene_.view; }
+  const PictureShape& pictures() const { return scene_.pictures; }
   // False when only what a rendering through the BVH reads was asked for: then the shapes of the
   // view may be counted but not read.
   bool shapes_verified() const { return scene_.shapes_verified; }

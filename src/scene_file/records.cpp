@@ -1,5 +1,6 @@
 #include "scene_file/records.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -90,6 +91,10 @@ RunRecord encode(const ObjectRun& run) {
   return {static_cast<std::uint32_t>(run.kind), 0, run.count};
 }
 
+FilmRecord encode(const std::array<int, 2>& film) {
+  return {static_cast<std::uint32_t>(film[0]), static_cast<std::uint32_t>(film[1])};
+}
+
 Expected<Camera> decode_camera(const CameraRecord& record) {
   Camera camera;
   camera.look_from = vec3(record.look_from);
@@ -120,6 +125,13 @@ Expected<Material> decode_material(const MaterialRecord& record) {
   }
   if (auto status = validate(material); !status) return tl::unexpected(status.error());
   return material;
+}
+
+std::array<int, 2> decode_film(const FilmRecord& record) {
+  const auto side = [](std::uint32_t pixels) {
+    return static_cast<int>(std::min<std::uint32_t>(pixels, kMaxFilmSide + 1));
+  };
+  return {side(record.width), side(record.height)};
 }
 
 }  // namespace dapple

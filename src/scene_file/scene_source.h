@@ -26,6 +26,8 @@ class SceneSource {
   [[nodiscard]] static bool is_path(const std::string& name_or_path);
 
   const SceneView& view() const { return file_ ? file_->view() : view_; }
+  // What the file says; nothing for a scene that is none.
+  PictureShape pictures() const { return file_ ? file_->pictures() : PictureShape(); }
 
  private:
   explicit SceneSource(Scene scene);

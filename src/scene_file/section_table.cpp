@@ -59,6 +59,8 @@ constexpr std::array kSectionKinds = {
     array_section(SectionType::lights, 48, "lights", SceneArray::lights),
     array_section(SectionType::cameras, 168, "cameras", SceneArray::cameras),
     SectionKind{SectionType::environment, 24, kSectionCritical, "environment", {}},
+    SectionKind{SectionType::film, sizeof(FilmRecord), 0, "size of the film", {}},
+    SectionKind{SectionType::camera_aspects, 8, 0, "shapes of the cameras' pictures", {}},
     SectionKind{SectionType::bvh_nodes, 448, 0, "BVH nodes", {}},
     SectionKind{SectionType::bvh_leaves, 64, 0, "BVH leaves", {}},
 };

@@ -75,6 +75,7 @@ class Verifier {
   Status check_hashes() const;
   Status decode_small_sections();
   Status read_lone_records();
+  Status read_pictures();
   Status finish_bvh();
   void for_each(std::size_t count, const std::function<void(std::size_t)>& body) const;
 
@@ -202,6 +203,7 @@ Status Verifier::decode_small_sections() {
   if (!camera) return damaged_at(offset_of(SectionType::camera), to_string(camera.error()));
   view.camera = *camera;
   if (auto status = read_lone_records(); !status) return status;
+  if (auto status = read_pictures(); !status) return status;
 
   const auto records = table_.elements<MaterialRecord>(SectionType::materials);
   result_.materials.reserve(records.size());
@@ -254,6 +256,20 @@ Status Verifier::read_lone_records() {
                       "environment: " + (reason.empty() ? "there is more than one" : reason));
   }
   view.environment = environments[0];
+  return {};
+}
+
+Status Verifier::read_pictures() {
+  const auto films = table_.elements<FilmRecord>(SectionType::film);
+  const auto aspects = table_.elements<double>(SectionType::camera_aspects);
+  if (films.size() > 1) return damaged_at(offset_of(SectionType::film), "more than one film");
+  PictureShape& pictures = result_.pictures;
+  if (!films.empty()) pictures.resolution = decode_film(films[0]);
+  std::string reason = reason_against(pictures, result_.view.cameras.size());
+  if (!reason.empty()) return damaged_at(offset_of(SectionType::film), reason);
+  pictures.camera_aspects.assign(aspects.begin(), aspects.end());
+  reason = reason_against(pictures, result_.view.cameras.size());
+  if (!reason.empty()) return damaged_at(offset_of(SectionType::camera_aspects), reason);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/picture_shape.h"
 #include "scene/scene_view.h"
 #include "util/error.h"
 
@@ -30,6 +31,7 @@ struct VerifyOptions {
 struct VerifiedScene {
   std::vector<Material> materials;  // what the view's span points at
   SceneView view;
+  PictureShape pictures;
   bool shapes_verified = false;
 
   VerifiedScene() = default;

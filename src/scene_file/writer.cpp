@@ -58,7 +58,7 @@ Section encoded(SectionType type, std::span<const T> elements) {
 
 // In the order of section_kinds(); those without elements, and those that would say what goes
 // without saying, are left out.
-std::vector<Section> sections_of(const SceneView& scene) {
+std::vector<Section> sections_of(const SceneView& scene, const PictureShape& pictures) {
   std::vector<Section> sections = {encoded(SectionType::camera, std::span(&scene.camera, 1))};
   if (scene.camera.orthographic_height > 0) {
     sections.push_back(
@@ -74,6 +74,10 @@ std::vector<Section> sections_of(const SceneView& scene) {
   if (!(scene.environment == Environment())) {
     sections.push_back(as_it_stands(SectionType::environment, std::span(&scene.environment, 1)));
   }
+  if (pictures.resolution) {
+    sections.push_back(encoded(SectionType::film, std::span(&*pictures.resolution, 1)));
+  }
+  sections.push_back(as_it_stands(SectionType::camera_aspects, std::span(pictures.camera_aspects)));
   if (!scene.bvh.empty()) {
     sections.push_back(as_it_stands(SectionType::bvh_nodes, scene.bvh.nodes));
     sections.push_back(as_it_stands(SectionType::bvh_leaves, scene.bvh.rows));
@@ -164,16 +168,19 @@ Status validate_bvh(const SceneView& scene) {
   return fail(Errc::bad_data, "BVH", fmt::format("node {}: {}", damage.node, damage.reason));
 }
 
-Status validate_for_storing(const SceneView& scene) {
+Status validate_for_storing(const SceneView& scene, const PictureShape& pictures) {
   if (scene.bvh.nodes.empty() && scene.object_count() > 0 && !scene.bvh.rows.empty()) {
     return fail(Errc::bad_data, "BVH", "leaves without nodes");
   }
   if (auto status = validate(scene); !status) return status;
+  const std::string reason = reason_against(pictures, scene.cameras.size());
+  if (!reason.empty()) return fail(Errc::bad_data, "pictures", reason);
   return validate_bvh(scene);
 }
 
-Status write_validated(const SceneView& scene, const ByteSink& write) {
-  const std::vector<Section> sections = sections_of(scene);
+Status write_validated(const SceneView& scene, const ByteSink& write,
+                       const PictureShape& pictures) {
+  const std::vector<Section> sections = sections_of(scene, pictures);
   const std::vector<SectionEntry> table = make_table(sections);
   const FileHeader header = make_header(table);
   if (auto status = write(std::as_bytes(std::span(&header, 1))); !status) return status;
@@ -183,17 +190,19 @@ Status write_validated(const SceneView& scene, const ByteSink& write) {
 
 }  // namespace
 
-Status write_scene_bytes(const SceneView& scene, const ByteSink& write) {
-  if (auto status = validate_for_storing(scene); !status) return status;
-  return write_validated(scene, write);
+Status write_scene_bytes(const SceneView& scene, const ByteSink& write,
+                         const PictureShape& pictures) {
+  if (auto status = validate_for_storing(scene, pictures); !status) return status;
+  return write_validated(scene, write, pictures);
 }
 
-Status store_scene_file(const std::string& path, const SceneView& scene) {
-  if (auto status = validate_for_storing(scene); !status) return status;
+Status store_scene_file(const std::string& path, const SceneView& scene,
+                        const PictureShape& pictures) {
+  if (auto status = validate_for_storing(scene, pictures); !status) return status;
   auto file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());
   const auto write = [&](Bytes bytes) { return file->write(bytes); };
-  if (auto status = write_validated(scene, write); !status) return status;
+  if (auto status = write_validated(scene, write, pictures); !status) return status;
   return file->commit();
 }
 

@@ -91,6 +91,32 @@ TEST(BenchModels, ACompactBvhTakesLess) {
   EXPECT_GT(bytes_each({}), 36);
 }
 
+TEST(RenderModels, AStoredSceneKeepsTheSizeAndTheShapeOfItsPictures) {
+  const TestFolder folder;
+  const std::string perspective = R"("type":"perspective","perspective":{"yfov":1,"znear":0.1)";
+  folder.write("film.pbrt",
+               "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 20\n"
+               "Camera \"perspective\"\nWorldBegin\nLightSource \"infinite\"\n"
+               "Translate 0 0 5 Shape \"sphere\"\n");
+  folder.write("cameras.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1]}],"nodes":[)"
+                               R"({"name":"wide","camera":0},{"name":"any","camera":1}],)"
+                               R"("cameras":[{)" +
+                                   perspective + R"(,"aspectRatio":2}},{)" + perspective + "}}]}");
+  for (const std::string name : {"film.pbrt", "cameras.gltf"}) {
+    const auto stored = folder.run({"dapple", "convert", name, "-o", name + ".scene"});
+    ASSERT_EQ(stored.exit_code, 0) << stored.err;
+  }
+  using Size = std::pair<int, int>;
+  EXPECT_EQ(size_of_picture(folder, "film.pbrt.scene"), Size(40, 20));
+  EXPECT_EQ(size_of_picture(folder, "film.pbrt.scene", {"--height=30"}), Size(60, 30));
+  EXPECT_EQ(size_of_picture(folder, "cameras.gltf.scene", {"--width=40"}), Size(40, 20));
+  EXPECT_EQ(size_of_picture(folder, "cameras.gltf.scene", {"--width=40", "--camera=1"}),
+            Size(40, 600));
+  // What was stored once is stored again.
+  ASSERT_EQ(folder.run({"dapple", "convert", "film.pbrt.scene", "-o", "again"}).exit_code, 0);
+  EXPECT_EQ(size_of_picture(folder, "again"), Size(40, 20));
+}
+
 // What went wrong, and whether a picture was written.
 struct Outcome {
   int exit_code = -1;

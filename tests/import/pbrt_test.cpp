@@ -140,8 +140,8 @@ TEST_F(Pbrt, AFieldOfViewCountsAcrossTheShorterSide) {
   const double expected = 360 / kHalfTurn * std::atan(2 * std::tan(20 * kHalfTurn / 180));
   EXPECT_NEAR(fov(tall), expected, 1e-6);
   const auto result = import(tall + "WorldBegin\n" + kTriangle);
-  ASSERT_TRUE(result && result->resolution);
-  EXPECT_EQ(*result->resolution, (std::array<int, 2>{100, 200}));
+  ASSERT_TRUE(result && result->pictures.resolution);
+  EXPECT_EQ(*result->pictures.resolution, (std::array<int, 2>{100, 200}));
 }
 
 TEST_F(Pbrt, MediaThatFillNothingAreWarnings) {

@@ -288,5 +288,40 @@ TEST(Crafted, RunsThatDisagreeWithTheCounts) {
   expect_runs_refused([](RunRecord& r) { r.reserved = 1; }, "reserved");
 }
 
+TEST(Crafted, ShapesOfPicturesThatAreNone) {
+  Scene scene = *make_named_scene("nice");
+  scene.cameras.resize(2);
+  const auto changed = [&](const std::function<void(test::FileParts&)>& change) {
+    test::FileParts parts(test::scene_bytes(scene, {{{640, 480}}, {1.5, 0}}));
+    change(parts);
+    return parts.bytes();
+  };
+  EXPECT_TRUE(verify(test::AlignedBytes(changed([](auto&) {})).bytes()));
+  for (const std::uint32_t side : {0u, 0x100001u, 0x80000000u, 0xffffffffu}) {
+    expect_refused(changed([&](auto& parts) {
+                     parts.template element<FilmRecord>(SectionType::film).height = side;
+                   }),
+                   "a film with a side");
+  }
+  for (const double aspect : {-1.0, kNan, kInf, -kInf}) {
+    expect_refused(changed([&](auto& parts) {
+                     parts.template element<double>(SectionType::camera_aspects, 1) = aspect;
+                   }),
+                   "the shape of a camera's picture");
+  }
+  const auto resize = [](test::FileParts& parts, SectionType type, std::size_t count) {
+    auto& section = parts.section(type);
+    section.bytes.resize(count * 8, std::byte{1});
+    section.entry.count = count;
+    section.entry.size = count * 8;
+  };
+  expect_refused(changed([&](auto& parts) { resize(parts, SectionType::film, 2); }),
+                 "more than one film");
+  for (const std::size_t count : {1u, 3u}) {
+    expect_refused(changed([&](auto& parts) { resize(parts, SectionType::camera_aspects, count); }),
+                   "differ in number");
+  }
+}
+
 }  // namespace
 }  // namespace dapple

@@ -79,6 +79,20 @@ TEST(RoundTrip, RandomScenesWithTreesOfAllShapes) {
   }
 }
 
+TEST(RoundTrip, ShapesOfPictures) {
+  Scene scene = *make_named_scene("nice");
+  scene.cameras.resize(3);
+  const PictureShape shapes[] = {
+      {}, {{{1152, 864}}, {}}, {{}, {0, 1.5, 1e-9}}, {{{1, kMaxFilmSide}}, {2, 0, 1e300}}};
+  for (const PictureShape& shape : shapes) {
+    const test::AlignedBytes file(test::scene_bytes(scene, shape));
+    const auto loaded = verify(file.bytes());
+    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    EXPECT_EQ(loaded->pictures, shape);
+    EXPECT_TRUE(test::same_scene(loaded->view, scene));
+  }
+}
+
 TEST(RoundTrip, NamedScenes) {
   for (const NamedScene& named : named_scenes()) {
     const Scene scene = *make_named_scene(named.name);

@@ -12,12 +12,13 @@
 
 namespace dapple::test {
 
-std::vector<std::byte> scene_bytes(const SceneView& scene) {
+std::vector<std::byte> scene_bytes(const SceneView& scene, const PictureShape& pictures) {
   std::vector<std::byte> file;
-  const auto status = write_scene_bytes(scene, [&](std::span<const std::byte> bytes) -> Status {
+  const auto append = [&](std::span<const std::byte> bytes) -> Status {
     file.insert(file.end(), bytes.begin(), bytes.end());
     return {};
-  });
+  };
+  const auto status = write_scene_bytes(scene, append, pictures);
   EXPECT_TRUE(status) << to_string(status.error());
   return file;
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/picture_shape.h"
 #include "scene/scene_view.h"
 #include "scene_file/format.h"
 
@@ -35,7 +36,8 @@ class AlignedBytes {
 };
 
 // The file that the writer makes of a scene.
-[[nodiscard]] std::vector<std::byte> scene_bytes(const SceneView& scene);
+[[nodiscard]] std::vector<std::byte> scene_bytes(const SceneView& scene,
+                                                 const PictureShape& pictures = {});
 
 // The same with a BVH inside.
 [[nodiscard]] std::vector<std::byte> scene_bytes_with_bvh(const Scene& scene,

@@ -72,7 +72,7 @@ Expected<ImportResult> import_gltf(const std::string& path, const ImportOptions&
   if (builder.is_empty()) context.warn("", "the scene shows nothing");
   auto scene = builder.finish(options.camera, options.point_radius);
   if (!scene) return tl::unexpected(scene.error());
-  return ImportResult{std::move(*scene), log.take(), std::nullopt, builder.camera_aspects()};
+  return ImportResult{std::move(*scene), log.take(), {std::nullopt, builder.camera_aspects()}};
 }
 
 }  // namespace dapple

@@ -16,7 +16,8 @@ Expected<ImportResult> import_pbrt(const std::string& path, const ImportOptions&
   }
   reader.finish();
   auto result = import->finish();
-  if (result && reader.film()) result->resolution = {reader.film()->width, reader.film()->height};
+  if (result && reader.film())
+    result->pictures.resolution = {reader.film()->width, reader.film()->height};
   return result;
 }
 
