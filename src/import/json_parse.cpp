@@ -8,6 +8,9 @@
 
 namespace dapple {
 
+constexpr std::size_t kShown = 40;       // bytes of what the parser read last
+constexpr std::size_t kMaxReason = 300;  // bytes
+
 // Receives the events of nlohmann's parser, which itself does not recurse.
 class JsonBuilder {
  public:
@@ -50,10 +53,7 @@ class JsonBuilder {
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::json::exception& error) {
     position_ = position;
-    reason_ = error.what();
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..."
-    const std::size_t at = reason_.find(" at line ");
-    if (at != std::string::npos) reason_.erase(0, at + 1);
+    reason_ = shortened(error.what());
     return false;
   }
 
@@ -64,6 +64,25 @@ class JsonBuilder {
   }
 
  private:
+  // From "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ... -
+  // invalid string: missing closing quote; last read: '...'; expected ...": what was last read is
+  // as long as the file's strings are.
+  static std::string shortened(std::string reason) {
+    const std::size_t at = reason.find(" at line ");
+    if (at != std::string::npos) reason.erase(0, at + 1);
+    constexpr std::string_view kRead = "last read: '";
+    const std::size_t read = reason.find(kRead);
+    const std::size_t end = reason.rfind('\'');
+    if (read != std::string::npos && end > read + kRead.size() + kShown) {
+      reason.replace(read + kRead.size() + kShown, end - read - kRead.size() - kShown, "...");
+    }
+    if (reason.size() > kMaxReason) reason.replace(kMaxReason, std::string::npos, "...");
+    for (char& c : reason) {
+      if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
+    }
+    return reason;
+  }
+
   bool number(double value) { return add(JsonValue(value)) != nullptr; }
 
   // Containers of the stack stay where they are: only the innermost one grows.

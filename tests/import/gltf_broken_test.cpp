@@ -43,6 +43,19 @@ TEST(BrokenGltf, StructureIsChecked) {
                "A is required but not supported");
 }
 
+TEST(BrokenGltf, AnErrorOfJsonIsOneShortLine) {
+  // Cut inside of a data URI, as an interrupted transfer leaves it.
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"buffers":[{"uri":"data:;base64,)" + std::string(100'000, 'A');
+  const std::string error = error_of(text);
+  EXPECT_NE(error.find("missing closing quote"), std::string::npos) << error;
+  EXPECT_NE(error.find("byte 100"), std::string::npos) << error;
+  EXPECT_LT(error.size(), 400u);
+  const std::string odd = error_of("{\"a\": \"\xff" + std::string(1000, '\n'));
+  EXPECT_LT(odd.size(), 400u);
+  EXPECT_EQ(odd.find('\n'), std::string::npos);
+}
+
 TEST(BrokenGltf, UnknownOptionalExtensionsAreWarnings) {
   const auto result = import_text(one_triangle("", R"(,"extensionsUsed":["EXT_unheard_of"])"));
   ASSERT_TRUE(result.has_value()) << to_string(result.error());
