@@ -53,10 +53,13 @@ CommandInfo compare() {
   return {
       .name = "dapple compare",
       .summary = "compare two images",
-      .paragraphs = {"Reads two images of the same size in any format that dapple writes and "
-                     "prints how much they differ in linear light: root mean square error, mean "
-                     "and maximum absolute difference. The exit code is 0 when the root mean "
-                     "square error is at most the threshold, and 1 when it is above."},
+      .paragraphs =
+          {"Reads two images of the same size in any format that dapple writes and "
+           "prints how much they differ in linear light: root mean square error, mean "
+           "and maximum absolute difference. Where either has alpha, that is compared too, a "
+           "picture without it counting as opaque. The exit code is 0 when the root "
+           "mean square errors of colour and of alpha are at most the threshold, and 1 "
+           "when one is above."},
       .arguments = {{.name = "A",
                      .kind = ValueKind::input_file,
                      .help = "The first image",

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "common/standard_output.h"
@@ -13,12 +14,16 @@ namespace {
 constexpr int kDifferent = 1;
 
 std::string as_text(const ImageDifference& d) {
-  return fmt::format(
+  std::string text = fmt::format(
       "rmse     {:g}\n"
       "mean     {:g}\n"
       "maximum  {:g} at column {}, row {}\n"
       "psnr     {:g} dB\n",
       d.rmse, d.mean_absolute, d.maximum, d.max_x, d.max_y, d.psnr());
+  if (d.has_alpha) {
+    text += fmt::format("alpha    {:g} rmse, {:g} maximum\n", d.alpha_rmse, d.alpha_maximum);
+  }
+  return text;
 }
 
 std::string as_json(const ImageDifference& d, bool within) {
@@ -31,6 +36,8 @@ std::string as_json(const ImageDifference& d, bool within) {
       {"maximum", d.maximum},
       {"maximum_at", {d.max_x, d.max_y}},
       {"psnr", d.psnr()},
+      {"alpha_rmse", d.alpha_rmse},
+      {"alpha_maximum", d.alpha_maximum},
       {"differing_values", d.differing},
       {"non_finite_values", d.non_finite},
   };
@@ -42,6 +49,7 @@ std::string as_json(const ImageDifference& d, bool within) {
 Expected<int> run_compare(const Arguments& arguments) {
   ImageReadOptions options;
   options.untagged = arguments.text("transfer") == "gamma2" ? Transfer::gamma2 : Transfer::srgb;
+  options.alpha = true;
   const auto a = read_image(arguments.text("A"), options);
   if (!a) return tl::unexpected(a.error());
   const auto b = read_image(arguments.text("B"), options);
@@ -49,7 +57,8 @@ Expected<int> run_compare(const Arguments& arguments) {
   const auto difference = compare_images(*a, *b);
   if (!difference) return tl::unexpected(difference.error());
 
-  const bool within = difference->rmse <= arguments.number("threshold");
+  const bool within =
+      std::max(difference->rmse, difference->alpha_rmse) <= arguments.number("threshold");
   const int exit_code = within ? 0 : kDifferent;
   if (arguments.given("json")) {
     return print_output(as_json(*difference, within)).map([&] { return exit_code; });

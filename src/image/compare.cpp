@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,27 @@ void note(ImageDifference& result, double difference, int x, int y, int channel)
   result.max_channel = channel;
 }
 
+float alpha_of(const Image& image, std::size_t pixel) {
+  return image.alpha.empty() ? 1 : image.alpha[pixel];
+}
+
+void compare_alpha(const Image& actual, const Image& expected, ImageDifference& result) {
+  result.has_alpha = !actual.alpha.empty() || !expected.alpha.empty();
+  if (!result.has_alpha || actual.pixels.empty()) return;
+  double squared = 0;
+  for (int y = 0; y < actual.height; ++y) {
+    double row = 0;
+    for (int x = 0; x < actual.width; ++x) {
+      const std::size_t pixel = actual.index(x, y);
+      const double difference = difference_of(alpha_of(actual, pixel), alpha_of(expected, pixel));
+      row += difference * difference;
+      result.alpha_maximum = std::max(result.alpha_maximum, std::fabs(difference));
+    }
+    squared += row;
+  }
+  result.alpha_rmse = std::sqrt(squared / static_cast<double>(actual.pixels.size()));
+}
+
 }  // namespace
 
 double ImageDifference::psnr() const {
@@ -71,6 +93,7 @@ Expected<ImageDifference> compare_images(const Image& actual, const Image& expec
                             actual.height, expected.width, expected.height));
   }
   ImageDifference result;
+  compare_alpha(actual, expected, result);
   Sums sums;
   for (int y = 0; y < actual.height; ++y) {
     Sums row;

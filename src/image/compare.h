@@ -8,9 +8,10 @@
 
 namespace dapple {
 
-// Over all pixels and channels, in linear light. Equal values (two NaNs, or twice the same
-// infinity, are equal) differ by 0; any other difference with a value that is not finite is
-// infinite, and so are then rmse, mean_absolute, maximum and relative_mse.
+// Over all pixels and the channels of colour, in linear light; of alpha apart, so that a picture
+// without it, which is opaque, can be compared with one that has it. Equal values (two NaNs, or
+// twice the same infinity, are equal) differ by 0; any other difference with a value that is not
+// finite is infinite, and so are then rmse, mean_absolute, maximum and relative_mse.
 struct ImageDifference {
   double rmse = 0;           // root of the mean squared difference
   double mean_absolute = 0;  // mean of |actual - expected|
@@ -22,6 +23,10 @@ struct ImageDifference {
   int max_channel = 0;           // 0 red, 1 green, 2 blue
   std::uint64_t differing = 0;   // values that are not equal
   std::uint64_t non_finite = 0;  // values whose difference is infinite
+
+  bool has_alpha = false;  // of either picture
+  double alpha_rmse = 0;
+  double alpha_maximum = 0;
 
   // Peak signal-to-noise ratio for a peak of 1, in decibels; infinite for equal pictures.
   double psnr() const;

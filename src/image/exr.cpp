@@ -225,6 +225,12 @@ Expected<Image> read_exr(std::span<const std::byte> bytes, const ImageReadOption
                  Imf::Slice::Make(Imf::FLOAT, base, window, sizeof(Vec3f),
                                   sizeof(Vec3f) * static_cast<std::size_t>(image->width)));
   }
+  const Imf::Channel* alpha = header.channels().findChannel("A");
+  if (options.alpha && alpha != nullptr && alpha->xSampling == 1 && alpha->ySampling == 1) {
+    image->alpha.resize(image->pixels.size());
+    frame.insert("A", Imf::Slice::Make(Imf::FLOAT, image->alpha.data(), window, sizeof(float),
+                                       sizeof(float) * static_cast<std::size_t>(image->width)));
+  }
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
   if (grey) {

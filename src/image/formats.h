@@ -28,6 +28,7 @@ struct ImageWriteOptions {
 struct ImageReadOptions {
   Transfer untagged = Transfer::srgb;     // curve of an integer file that does not name its own
   std::uint64_t max_pixels = 1ull << 28;  // a larger picture is refused
+  bool alpha = false;                     // keep that of PNG and EXR files which have it
 };
 
 // What a pixel value that a format cannot hold becomes:
@@ -46,7 +47,7 @@ struct ImageReadOptions {
 [[nodiscard]] std::string_view format_ending(std::string_view path);
 
 // The picture in linear light. The format is recognised by the file's first bytes, whatever its
-// name. Alpha is left out; a file without RGB channels gives grey.
+// name. Alpha is left out unless asked for; a file without RGB channels gives grey.
 [[nodiscard]] Expected<Image> read_image(const std::string& path,
                                          const ImageReadOptions& options = {});
 

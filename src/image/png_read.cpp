@@ -9,21 +9,27 @@
 namespace dapple {
 namespace {
 
+enum class Alpha {
+  strip,
+  keep,  // where there is any
+  add,   // rgba, little-endian, whatever the file has; otherwise samples are big-endian
+};
+
 struct Reader : PngSession {
   std::span<const std::byte> bytes;
   std::size_t position = 0;
   png_uint_32 width = 0, height = 0;
   int bits = 0;              // of a sample, after palettes and bits are expanded: 8 or 16
   std::size_t row_size = 0;  // after expansion
-  bool with_alpha = false;   // rgba, little-endian, instead of rgb, big-endian
+  Alpha alpha = Alpha::strip;
+  int channels = 3;  // of a pixel, after expansion
   bool has_srgb = false;
   png_fixed_point gamma = 0;  // of the gAMA chunk, times 100000; 0: none
   std::uint64_t least_size = 0;
   std::vector<png_byte> samples;
   std::vector<png_bytep> rows;
 
-  Reader(std::span<const std::byte> bytes_, bool with_alpha_)
-      : bytes(bytes_), with_alpha(with_alpha_) {
+  Reader(std::span<const std::byte> bytes_, Alpha alpha_) : bytes(bytes_), alpha(alpha_) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<PngSession*>(this),
                                  png_report_error, png_ignore_warning);
     if (png != nullptr) info = png_create_info_struct(png);
@@ -70,15 +76,16 @@ void read_header(Reader& reader) {
 
   png_set_expand(reader.png);
   png_set_gray_to_rgb(reader.png);
-  if (reader.with_alpha) {
+  if (reader.alpha == Alpha::add) {
     png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
     png_set_swap(reader.png);
-  } else {
+  } else if (reader.alpha == Alpha::strip) {
     png_set_strip_alpha(reader.png);
   }
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
   reader.bits = png_get_bit_depth(reader.png, reader.info);
+  reader.channels = png_get_channels(reader.png, reader.info);
   reader.row_size = png_get_rowbytes(reader.png, reader.info);
 }
 
@@ -109,19 +116,25 @@ std::vector<float> sample_table(const Reader& reader, const ImageReadOptions& op
 
 void fill(Image& image, const Reader& reader, const std::vector<float>& table) {
   const png_byte* in = reader.samples.data();
-  for (Vec3f& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel) {
-      std::size_t sample = *in++;
-      if (reader.bits == 16) sample = sample << 8 | *in++;
-      pixel[channel] = table[sample];
-    }
+  const auto next = [&] {
+    std::size_t sample = *in++;
+    if (reader.bits == 16) sample = sample << 8 | *in++;
+    return sample;
+  };
+  if (reader.channels == 4) image.alpha.resize(image.pixels.size());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    Vec3f& pixel = image.pixels[i];
+    for (int channel = 0; channel < 3; ++channel) pixel[channel] = table[next()];
+    if (reader.channels < 4) continue;
+    image.alpha[i] = static_cast<float>(next()) / (reader.bits == 16 ? 65535.0f : 255.0f);
+    pixel = image.alpha[i] * pixel;
   }
 }
 
 }  // namespace
 
 Expected<Image> decode_png(std::span<const std::byte> bytes, const ImageReadOptions& options) {
-  Reader reader(bytes, /*with_alpha=*/false);
+  Reader reader(bytes, options.alpha ? Alpha::keep : Alpha::strip);
   if (reader.info == nullptr) return fail(Errc::memory, "", reader.message);
   if (!png_run(reader, read_header, reader)) return damaged(reader);
   auto image =
@@ -134,7 +147,7 @@ Expected<Image> decode_png(std::span<const std::byte> bytes, const ImageReadOpti
 }
 
 Expected<RawImage> decode_raw_png(std::span<const std::byte> bytes, std::uint64_t max_pixels) {
-  Reader reader(bytes, /*with_alpha=*/true);
+  Reader reader(bytes, Alpha::add);
   if (reader.info == nullptr) return fail(Errc::memory, "", reader.message);
   if (!png_run(reader, read_header, reader)) return damaged(reader);
   if (auto allowed = check_picture_size(reader.width, reader.height, max_pixels); !allowed) {

@@ -42,6 +42,32 @@ TEST(Compare, ExitCodeSaysWhetherWithinTheThreshold) {
   EXPECT_EQ(difference["within_threshold"], false);
 }
 
+TEST(Compare, AlphaCounts) {
+  const TestFolder folder;
+  Image opaque(4, 2), thin(4, 2);
+  opaque.alpha.assign(8, 1.0f);
+  thin.alpha.assign(8, 0.6f);
+  for (const std::string ending : {".exr", ".png"}) {
+    const std::string none = "none" + ending, one = "opaque" + ending, less = "thin" + ending;
+    ASSERT_TRUE(write_image(folder.path(none).string(), Image(4, 2), {}));
+    ASSERT_TRUE(write_image(folder.path(one).string(), opaque, {}));
+    ASSERT_TRUE(write_image(folder.path(less).string(), thin, {}));
+    const auto exit_code = [&](const std::string& a, const std::string& b, const char* limit) {
+      return folder.run({"dapple", "compare", "-q", a, b, "--threshold", limit}).exit_code;
+    };
+    EXPECT_EQ(exit_code(one, none, "0"), 0);
+    EXPECT_EQ(exit_code(one, less, "0.39"), 1);
+    EXPECT_EQ(exit_code(none, less, "0.39"), 1);
+    EXPECT_EQ(exit_code(less, none, "0.41"), 0);
+    const auto result = folder.run({"dapple", "compare", "--json", one, less});
+    const json difference = json::parse(result.out);
+    EXPECT_EQ(difference["rmse"], 0);
+    EXPECT_NEAR(difference["alpha_rmse"].get<double>(), 0.4, 0.001);  // half a step of a half float
+    EXPECT_NEAR(difference["alpha_maximum"].get<double>(), 0.4, 0.001);
+    EXPECT_EQ(difference["within_threshold"], false);
+  }
+}
+
 TEST(Compare, ReadsWhatRenderWrites) {
   const TestFolder folder;
   ASSERT_EQ(folder.run(render_words("reference.pfm")).exit_code, 0);

@@ -56,6 +56,27 @@ TEST(Alpha, ExrColoursStayMultiplied) {
   }
 }
 
+TEST(Alpha, IsReadWhereItIsAskedFor) {
+  ImageReadOptions read;
+  read.alpha = true;
+  for (const char* name : {"x.png", "x.exr"}) {
+    ImageWriteOptions options;
+    options.png_bits = 16;
+    options.exr_float = true;
+    const auto bytes = encode_image(name, veiled(), options);
+    ASSERT_TRUE(bytes);
+    const auto image = decode_image(*bytes, read);
+    ASSERT_TRUE(image && image->alpha.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(image->alpha[i], veiled().alpha[i], 1.0 / 65535);
+      EXPECT_NEAR(image->pixels[i].x, veiled().pixels[i].x, 2.0 / 65535);
+    }
+    EXPECT_TRUE(decode_image(*bytes)->alpha.empty());
+    const auto opaque = encode_image(name, Image(2, 1), options);
+    EXPECT_TRUE(decode_image(*opaque, read)->alpha.empty());
+  }
+}
+
 TEST(Alpha, MustBeAsLargeAsThePicture) {
   Image image = veiled();
   image.alpha.pop_back();
