@@ -23,7 +23,7 @@ std::vector<OptionInfo> import_options() {
        .default_value = "0"},
       {.name = "keep-going",
        .help = "Make do without what is missing or broken in a model, with a warning for each; a "
-               "missing texture becomes magenta"},
+               "missing texture becomes magenta, faces with indices of nothing are left out"},
   };
 }
 

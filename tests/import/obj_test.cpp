@@ -43,6 +43,22 @@ TEST(Obj, BadIndicesAreNamedWithTheirLine) {
   expect_error("v 1 2 1e\n", "t.obj:1", "'1e'");
 }
 
+TEST(Obj, FacesWithIndicesOfNothingCanBeLeftOut) {
+  const std::string text =
+      "f 1 2 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 -4\nf 1/1 2/1 3/2\nf 1 0 2\n"
+      "vt 0 0\nf 3 2 1\nl 1 2\nl 1 4\n";
+  EXPECT_FALSE(obj::read_geometry(text, "t.obj"));
+  const auto geometry = obj::read_geometry(text, "t.obj", true);
+  ASSERT_TRUE(geometry) << to_string(geometry.error());
+  EXPECT_EQ(geometry->broken_elements, 5u);
+  EXPECT_NE(geometry->broken_reason.find("t.obj:6"), std::string::npos) << geometry->broken_reason;
+  ASSERT_EQ(geometry->elements.size(), 3u);
+  EXPECT_EQ(geometry->corners.size(), 8u);
+  EXPECT_EQ(geometry->end_of(0), 3u);
+  EXPECT_EQ(geometry->corners[3].position, 2u);
+  EXPECT_EQ(geometry->elements[2].kind, obj::ElementKind::line);
+}
+
 TEST(Obj, AnIndexMayNameWhatComesLater) {
   const MeshData mesh = mesh_of("f 1 2 3\n" + kSquare);
   EXPECT_EQ(mesh.triangles.size(), 1u);
@@ -207,6 +223,8 @@ TEST_F(ObjFile, AMissingLibraryIsAWarning) {
   const auto result = import("mtllib none.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n", "");
   ASSERT_TRUE(result);
   EXPECT_EQ(result->warnings.size(), 2u);  // the library and the material
+  EXPECT_NE(result->warnings[0].find(".obj:1: "), std::string::npos) << result->warnings[0];
+  EXPECT_NE(result->warnings[0].find("none.mtl"), std::string::npos) << result->warnings[0];
 }
 
 TEST_F(ObjFile, PointsAndLinesAreShown) {

@@ -68,6 +68,22 @@ TEST_F(Pbrt, DamageIsNamedWithItsLine) {
   expect_error("Material \"diffuse\" \"rgb reflectance\" [1 1]\n", 1, "three numbers");
 }
 
+TEST_F(Pbrt, FacesWithIndicesOfNothingCanBeLeftOut) {
+  const std::string text =
+      "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] "
+      "\"integer indices\" [0 1 3 0 1 2 -1 1 2]\n";
+  EXPECT_FALSE(import(text));
+  ImportOptions options;
+  options.keep_going = true;
+  const auto result = import(text, options);
+  ASSERT_TRUE(result) << to_string(result.error());
+  EXPECT_EQ(result->scene.triangles.size(), 1u);
+  ASSERT_EQ(result->warnings.size(), 1u);
+  EXPECT_NE(result->warnings[0].find("s.pbrt:2: 2 faces with indices of nothing"),
+            std::string::npos)
+      << result->warnings[0];
+}
+
 TEST_F(Pbrt, FilesThatIncludeThemselvesEnd) {
   expect_error("Include \"s.pbrt\"\n", 1, "too many included files");
 }

@@ -42,11 +42,25 @@ TEST(Ply, DamageIsNamedWithItsPlace) {
             std::string::npos);
 }
 
+TEST(Ply, FacesWithIndicesOfNothingCanBeLeftOut) {
+  const std::string text = ply_of("element vertex 3\n" + kXyz + "element face 4\n" + kFaces,
+                                  "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 7 1 9\n3 2 1 0\n3 0 -1 2\n");
+  EXPECT_FALSE(read(text));
+  const auto model = ply::read(as_bytes(text), "t.ply", true);
+  ASSERT_TRUE(model) << to_string(model.error());
+  EXPECT_EQ(model->mesh.triangles.size(), 2u);
+  EXPECT_EQ(model->broken_faces, 2u);
+  EXPECT_NE(model->broken_reason.find("t.ply:14: face 1 names vertex 7"), std::string::npos)
+      << model->broken_reason;
+}
+
 TEST(Ply, ACountIsBelievedOnlyAsFarAsTheFileGoes) {
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string text = std::string("ply\nformat ") + format +
                              " 1.0\nelement vertex 2000000000\n" + kXyz + "end_header\n1 2 3\n";
     EXPECT_NE(error_of(text).find("too short"), std::string::npos) << format;
+    const std::string end = "t.ply, byte " + std::to_string(text.size()) + ": ";
+    EXPECT_TRUE(error_of(text).starts_with(end)) << error_of(text);
   }
 }
 

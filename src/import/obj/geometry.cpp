@@ -8,6 +8,8 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "import/limits.h"
 #include "import/text.h"
@@ -23,14 +25,15 @@ struct Reference {
 
 class GeometryParser {
  public:
-  GeometryParser(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
+  GeometryParser(std::string_view text, std::string_view name, bool keep_going)
+      : lines_(text), name_(name), keep_going_(keep_going) {}
 
   Expected<Geometry> parse() {
     std::string_view line;
     while (next_logical_line(line)) {
       if (auto status = statement(line); !status) return tl::unexpected(status.error());
     }
-    if (auto status = check_references(); !status) return tl::unexpected(status.error());
+    if (auto status = resolve(); !status) return tl::unexpected(status.error());
     return std::move(geometry_);
   }
 
@@ -73,7 +76,7 @@ class GeometryParser {
     if (keyword == "usemtl") {
       material_ = material_index(words.rest());
     } else if (keyword == "mtllib") {
-      geometry_.libraries.emplace_back(words.rest());
+      geometry_.libraries.push_back({std::string(words.rest()), line_});
     } else if (keyword != "g" && keyword != "o") {
       ignore(keyword);
     }
@@ -161,7 +164,12 @@ class GeometryParser {
     const std::size_t first = geometry_.corners.size();
     for (std::string_view word = words.next(); !word.empty() && !word.starts_with('#');
          word = words.next()) {
-      if (auto status = corner(word); !status) return status;
+      const Status status = corner(word);
+      if (status) continue;
+      if (!keep_going_) return status;
+      geometry_.corners.resize(first);
+      note_broken(status.error());
+      return {};
     }
     const std::size_t count = geometry_.corners.size() - first;
     const std::size_t least = kind == ElementKind::face ? 3 : kind == ElementKind::line ? 2 : 1;
@@ -224,6 +232,46 @@ class GeometryParser {
     highest = {};
   }
 
+  void note_broken(const Error& reason) {
+    if (geometry_.broken_elements++ == 0) geometry_.broken_reason = to_string(reason);
+  }
+
+  static bool is_within(std::uint32_t index, std::size_t count) {
+    return index == kNone || index < count;
+  }
+  bool is_whole(const Corner& corner) const {
+    return corner.position < geometry_.positions.size() &&
+           is_within(corner.uv, geometry_.uvs.size()) &&
+           is_within(corner.normal, geometry_.normals.size());
+  }
+
+  // Only the elements all of whose indices name something stay.
+  void leave_out_broken(const Error& reason) {
+    const std::vector<Corner> corners = std::exchange(geometry_.corners, {});
+    const std::vector<Element> elements = std::exchange(geometry_.elements, {});
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const std::size_t begin = elements[e].first_corner;
+      const std::size_t end =
+          e + 1 < elements.size() ? elements[e + 1].first_corner : corners.size();
+      const auto of_element = std::span(corners).subspan(begin, end - begin);
+      if (!std::all_of(of_element.begin(), of_element.end(),
+                       [&](const Corner& c) { return is_whole(c); })) {
+        note_broken(reason);
+        continue;
+      }
+      geometry_.elements.push_back(elements[e]);
+      geometry_.elements.back().first_corner = geometry_.corners.size();
+      geometry_.corners.insert(geometry_.corners.end(), of_element.begin(), of_element.end());
+    }
+  }
+
+  Status resolve() {
+    const Status status = check_references();
+    if (status || !keep_going_) return status;
+    leave_out_broken(status.error());
+    return {};
+  }
+
   Status check_references() {
     drop_undefined(highest_uv_, !geometry_.uvs.empty(), &Corner::uv, "texture coordinate");
     drop_undefined(highest_normal_, !geometry_.normals.empty(), &Corner::normal, "normal");
@@ -239,6 +287,7 @@ class GeometryParser {
 
   LineReader lines_;
   std::string_view name_;
+  bool keep_going_;
   std::string joined_;
   std::size_t line_ = 0;
   Geometry geometry_;
@@ -252,8 +301,8 @@ class GeometryParser {
 
 }  // namespace
 
-Expected<Geometry> read_geometry(std::string_view text, std::string_view name) {
-  return GeometryParser(text, name).parse();
+Expected<Geometry> read_geometry(std::string_view text, std::string_view name, bool keep_going) {
+  return GeometryParser(text, name, keep_going).parse();
 }
 
 }  // namespace dapple::obj

@@ -29,6 +29,12 @@ struct Element {
   ElementKind kind = ElementKind::face;
 };
 
+// The words after "mtllib".
+struct Libraries {
+  std::string names;
+  std::size_t line = 0;
+};
+
 struct Geometry {
   std::vector<Vec3f> positions;
   std::vector<Vec3f> colours;  // as the file says them; empty, or as many as positions
@@ -37,16 +43,20 @@ struct Geometry {
   std::vector<Corner> corners;
   std::vector<Element> elements;
   std::vector<std::string> materials;  // names in the order of their first use
-  std::vector<std::string> libraries;  // the words after "mtllib", a line each
+  std::vector<Libraries> libraries;    // a line each
   std::vector<std::string> warnings;   // with their place
   std::size_t small_faces = 0;         // with fewer than three corners; left out
+  std::size_t broken_elements = 0;     // with an index that names nothing; left out
+  std::string broken_reason;           // of the first of them found, with its place
 
   std::size_t end_of(std::size_t element) const {
     return element + 1 < elements.size() ? elements[element + 1].first_corner : corners.size();
   }
 };
 
-// `name` is the file's, for errors.
-[[nodiscard]] Expected<Geometry> read_geometry(std::string_view text, std::string_view name);
+// `name` is the file's, for errors. An index that names nothing is one, or with `keep_going` leaves
+// out the element that has it.
+[[nodiscard]] Expected<Geometry> read_geometry(std::string_view text, std::string_view name,
+                                               bool keep_going = false);
 
 }  // namespace dapple::obj

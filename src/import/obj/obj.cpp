@@ -28,8 +28,8 @@ class ObjImport {
 
   Status run() {
     warn();
-    for (const std::string& names : geometry_.libraries) {
-      if (auto read = read_libraries(names); !read) return read;
+    for (const obj::Libraries& libraries : geometry_.libraries) {
+      if (auto read = read_libraries(libraries); !read) return read;
     }
     if (auto made = make_materials(); !made) return made;
     obj::add_smooth_normals(geometry_);
@@ -47,13 +47,19 @@ class ObjImport {
       import_.log().warn(fmt::format("{}: {} faces with too few corners are left out",
                                      import_.path(), geometry_.small_faces));
     }
+    if (geometry_.broken_elements > 0) {
+      import_.log().warn(
+          fmt::format("{}: {} faces, lines or points with indices of nothing are left out ({})",
+                      import_.path(), geometry_.broken_elements, geometry_.broken_reason));
+    }
   }
 
   // "mtllib" may name one file with blanks in its name, or several.
-  Status read_libraries(const std::string& names) {
-    if (import_.sandbox().open(names)) return read_library(names);
-    for (const std::string& name : split(names)) {
-      if (auto read = read_library(name); !read) return read;
+  Status read_libraries(const obj::Libraries& libraries) {
+    const std::string place = line_place(import_.path(), libraries.line);
+    if (import_.sandbox().open(libraries.names)) return read_library(libraries.names, place);
+    for (const std::string& name : split(libraries.names)) {
+      if (auto read = read_library(name, place); !read) return read;
     }
     return {};
   }
@@ -75,11 +81,11 @@ class ObjImport {
   }
 
   // The shapes are there without their materials: a library that is missing is only a warning.
-  Status read_library(const std::string& name) {
+  Status read_library(const std::string& name, const std::string& place) {
     if (!read_.insert(name).second) return {};
     const auto file = import_.open_companion(name);
     if (!file) {
-      import_.log().warn(to_string(file.error()));
+      import_.log().warn(place + ": " + to_string(file.error()));
       return {};
     }
     const std::string path = import_.sandbox().path_of(name);
@@ -176,7 +182,7 @@ class ObjImport {
 Expected<ImportResult> import_obj(const std::string& path, const ImportOptions& options) {
   auto import = ModelImport::open(path, options);
   if (!import) return tl::unexpected(import.error());
-  auto geometry = obj::read_geometry(as_text(import->bytes()), path);
+  auto geometry = obj::read_geometry(as_text(import->bytes()), path, options.keep_going);
   if (!geometry) return tl::unexpected(geometry.error());
   if (auto done = ObjImport(*import, std::move(*geometry)).run(); !done) {
     const Error& error = done.error();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "import/pbrt/surfaces.h"
 #include "import/ply/model.h"
@@ -15,22 +16,37 @@ namespace {
 
 constexpr std::uint32_t kColumns = 128, kRows = 64;  // of curved surfaces
 
-Status indices(const Params& params, std::size_t corners, std::size_t vertex_count,
-               std::vector<std::uint32_t>& result) {
+// Groups of `corners` indices. One that names no vertex is an error, or with `keep_going` leaves
+// out its group.
+Status indices(const Context& context, const Params& params, std::size_t corners,
+               std::size_t vertex_count, std::vector<std::uint32_t>& result) {
   const std::vector<double> numbers = params.numbers("indices");
-  for (const double number : numbers) {
-    if (!(number >= 0 && number < double(vertex_count)) || std::floor(number) != number) {
-      return fail(Errc::bad_data, params.place(),
-                  fmt::format("the index {} of {} vertices", number, vertex_count));
-    }
-    result.push_back(static_cast<std::uint32_t>(number));
-  }
-  if (result.empty() && vertex_count == corners) {
-    for (std::uint32_t i = 0; i < corners; ++i) result.push_back(i);
-  }
-  if (result.size() % corners != 0) {
+  if (numbers.size() % corners != 0) {
     return fail(Errc::bad_data, params.place(),
                 fmt::format("the number of indices is no multiple of {}", corners));
+  }
+  const auto is_vertex = [&](double number) {
+    return number >= 0 && number < double(vertex_count) && std::floor(number) == number;
+  };
+  std::size_t broken = 0;
+  for (std::size_t i = 0; i < numbers.size(); i += corners) {
+    const auto group = std::span(numbers).subspan(i, corners);
+    const auto wrong = std::find_if_not(group.begin(), group.end(), is_vertex);
+    if (wrong == group.end()) {
+      for (const double number : group) result.push_back(static_cast<std::uint32_t>(number));
+    } else if (!context.import.options().keep_going) {
+      return fail(Errc::bad_data, params.place(),
+                  fmt::format("the index {} of {} vertices", *wrong, vertex_count));
+    } else {
+      ++broken;
+    }
+  }
+  if (broken > 0) {
+    context.warn(params.place(),
+                 fmt::format("{} faces with indices of nothing are left out", broken));
+  }
+  if (numbers.empty() && vertex_count == corners) {
+    for (std::uint32_t i = 0; i < corners; ++i) result.push_back(i);
   }
   return {};
 }
@@ -70,12 +86,12 @@ void face_normals(MeshData& mesh) {
   }
 }
 
-Expected<Shape> triangle_mesh(const Params& params) {
+Expected<Shape> triangle_mesh(const Context& context, const Params& params) {
   Shape shape;
   shape.mesh.vertices.positions = params.vectors("P");
   std::vector<std::uint32_t> index;
   const std::size_t count = shape.mesh.vertices.positions.size();
-  if (auto s = indices(params, 3, count, index); !s) return tl::unexpected(s.error());
+  if (auto s = indices(context, params, 3, count, index); !s) return tl::unexpected(s.error());
   if (auto s = attributes(params, shape.mesh.vertices); !s) return tl::unexpected(s.error());
   for (std::size_t i = 0; i < index.size(); i += 3) {
     shape.mesh.triangles.push_back({{index[i], index[i + 1], index[i + 2]}});
@@ -85,12 +101,12 @@ Expected<Shape> triangle_mesh(const Params& params) {
 }
 
 // Patches with the corners (0,0), (1,0), (0,1) and (1,1), each as two triangles.
-Expected<Shape> bilinear_mesh(const Params& params) {
+Expected<Shape> bilinear_mesh(const Context& context, const Params& params) {
   Shape shape;
   shape.mesh.vertices.positions = params.vectors("P");
   std::vector<std::uint32_t> index;
   const std::size_t count = shape.mesh.vertices.positions.size();
-  if (auto s = indices(params, 4, count, index); !s) return tl::unexpected(s.error());
+  if (auto s = indices(context, params, 4, count, index); !s) return tl::unexpected(s.error());
   if (auto s = attributes(params, shape.mesh.vertices); !s) return tl::unexpected(s.error());
   for (std::size_t i = 0; i < index.size(); i += 4) {
     shape.mesh.triangles.push_back({{index[i], index[i + 1], index[i + 3]}});
@@ -151,8 +167,13 @@ Expected<Shape> Shapes::ply_mesh(const Context& context, const Params& params) {
   if (known != files_.end()) return Shape{known->second, {}};
   const auto file = context.import.open_companion(name);
   if (!file) return fail(file.error().code, params.place(), to_string(file.error()));
-  auto model = ply::read(file->bytes(), context.import.sandbox().path_of(name));
+  auto model = ply::read(file->bytes(), context.import.sandbox().path_of(name),
+                         context.import.options().keep_going);
   if (!model) return tl::unexpected(model.error());
+  if (model->broken_faces > 0) {
+    context.warn(params.place(), fmt::format("{} faces with indices of nothing are left out ({})",
+                                             model->broken_faces, model->broken_reason));
+  }
   if (model->is_cloud()) context.warn(params.place(), "the file holds no triangles");
   face_normals(model->mesh);
   const MeshData& mesh = files_.emplace(name, std::move(model->mesh)).first->second;
@@ -163,7 +184,7 @@ Expected<std::optional<Shape>> Shapes::make(const Context& context, const std::s
                                             const Params& params) {
   Expected<Shape> shape;
   if (kind == "trianglemesh" || kind == "loopsubdiv") {
-    shape = triangle_mesh(params);
+    shape = triangle_mesh(context, params);
     if (kind == "loopsubdiv") context.warn(params.place(), "a surface is left without subdivision");
   } else if (kind == "plymesh") {
     shape = ply_mesh(context, params);
@@ -174,7 +195,7 @@ Expected<std::optional<Shape>> Shapes::make(const Context& context, const std::s
   } else if (kind == "cylinder") {
     shape = cylinder(params);
   } else if (kind == "bilinearmesh") {
-    shape = bilinear_mesh(params);
+    shape = bilinear_mesh(context, params);
   } else {
     context.warn(params.place(), fmt::format("shapes '{:.40}' are left out", kind));
     return std::nullopt;

@@ -24,6 +24,7 @@ Status read_lists(ValueReader& values, const Element& element, Model& model, boo
   std::vector<std::int64_t> list;
   for (std::uint64_t row = 0; row < element.count; ++row) {
     list.clear();
+    bool broken = false;
     for (const Property& property : element.properties) {
       if (!holds_indices(property)) {
         values.skip(property);
@@ -33,14 +34,18 @@ Status read_lists(ValueReader& values, const Element& element, Model& model, boo
       for (std::size_t i = 0; i < count && !values.bad(); ++i) {
         const double index = values.next(property.type);
         if (!(index >= 0 && index < vertex_count) && !(restart && index == -1)) {
-          return values.error(
+          const auto error = values.error(
               fmt::format("{} {} names vertex {} of {}", element.name, row, index, vertex_count));
+          if (values.bad() || !model.keep_going) return error;
+          if (!broken && model.broken_faces++ == 0) model.broken_reason = to_string(error.value());
+          broken = true;
+          continue;
         }
         list.push_back(static_cast<std::int64_t>(index));
       }
     }
     if (values.bad()) return values.error();
-    take(list);
+    if (!broken) take(list);
   }
   return {};
 }

@@ -144,9 +144,9 @@ Status check_size(const Header& header, std::size_t file_bytes, std::string_view
     }
     const std::uint64_t least = element.count * element.min_bytes(header.format);
     if (least > left) {
-      return fail(Errc::bad_data, std::string(name),
-                  fmt::format("the file is too short for its {} elements '{:.40}'", element.count,
-                              element.name));
+      return fail(Errc::bad_data, byte_place(name, file_bytes),
+                  fmt::format("the file ends here, too short for its {} elements '{:.40}'",
+                              element.count, element.name));
     }
     left -= least;
   }

@@ -24,10 +24,11 @@ Status read_element(ValueReader& values, const Element& element, Model& model) {
 
 }  // namespace
 
-Expected<Model> read(std::span<const std::byte> bytes, std::string_view name) {
+Expected<Model> read(std::span<const std::byte> bytes, std::string_view name, bool keep_going) {
   auto header = read_header(bytes, name);
   if (!header) return tl::unexpected(header.error());
   Model model;
+  model.keep_going = keep_going;
   model.texture_file = std::move(header->texture_file);
   ValueReader values(bytes, *header, name);
   bool has_vertices = false;

@@ -52,7 +52,7 @@ Status add_cloud(const ply::Model& model, ModelImport& import) {
 Expected<ImportResult> import_ply(const std::string& path, const ImportOptions& options) {
   auto import = ModelImport::open(path, options);
   if (!import) return tl::unexpected(import.error());
-  auto model = ply::read(import->bytes(), path);
+  auto model = ply::read(import->bytes(), path, options.keep_going);
   if (!model) return tl::unexpected(model.error());
   for (const std::string& what : model->ignored) {
     import->log().warn(fmt::format("{}: {} is not understood", path, what));
@@ -60,6 +60,10 @@ Expected<ImportResult> import_ply(const std::string& path, const ImportOptions& 
   if (model->skipped_faces > 0) {
     import->log().warn(fmt::format("{}: {} faces with fewer than three corners are left out", path,
                                    model->skipped_faces));
+  }
+  if (model->broken_faces > 0) {
+    import->log().warn(fmt::format("{}: {} faces with indices of nothing are left out ({})", path,
+                                   model->broken_faces, model->broken_reason));
   }
   auto added = model->is_cloud() ? add_cloud(*model, *import) : add_mesh(*model, *import);
   if (!added) {
