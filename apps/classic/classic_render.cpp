@@ -73,7 +73,11 @@ Expected<Image> render_timed(const Job& job, AccelKind kind, Lines& lines) {
   }
   clock = Clock();
   auto result = render(prepared, job.settings, control);
-  if (!result) return tl::unexpected(result.error());
+  if (!result) {
+    Error error = result.error();
+    if (error.code == Errc::bad_data) error.place = job.scene + ": " + error.place;
+    return tl::unexpected(std::move(error));
+  }
   lines.print(fmt::format("Rendering in {:f}s.\n", clock.seconds()));
   return std::move(result->image);
 }

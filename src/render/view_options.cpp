@@ -67,10 +67,14 @@ Expected<std::size_t> camera_index(std::span<const NamedCamera> cameras,
   }
   if (cameras.empty()) return fail(Errc::usage, wanted, "the scene has no cameras of its own");
   std::vector<std::string_view> names;
-  for (const NamedCamera& camera : cameras) names.push_back(name_of(camera));
+  for (const NamedCamera& camera : cameras) {
+    if (!name_of(camera).empty()) names.push_back(name_of(camera));
+  }
+  const std::string indices = fmt::format("0 to {}", cameras.size() - 1);
   return fail(Errc::usage, wanted,
-              fmt::format("no such camera; there are {} (or 0 to {})", fmt::join(names, ", "),
-                          cameras.size() - 1));
+              names.empty() ? fmt::format("no such camera; there are {}, without names", indices)
+                            : fmt::format("no such camera; there are {} (or {})",
+                                          fmt::join(names, ", "), indices));
 }
 
 Expected<EditedView> EditedView::create(const SceneView& scene, const ViewOptions& options,

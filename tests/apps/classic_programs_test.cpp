@@ -3,6 +3,8 @@
 
 #include <regex>
 
+#include "scene/named_scenes.h"
+#include "scene_file/writer.h"
 #include "tests/apps/run_program.h"
 
 namespace dapple {
@@ -71,6 +73,17 @@ TEST(ClassicRender, AStoredSceneGivesTheSamePicture) {
     EXPECT_EQ(folder.read("direct"), folder.read("from_file")) << scene;
     EXPECT_EQ(folder.read("direct"), folder.read("from_bvh")) << scene;
   }
+}
+
+TEST(ClassicRender, ACameraThatLooksNowhereIsNamedWithItsFile) {
+  const TestFolder folder;
+  Scene scene = *make_named_scene("nice");
+  scene.camera.look_at = scene.camera.look_from;
+  ASSERT_TRUE(store_scene_file(folder.path("blind").string(), scene));
+  const auto result = folder.run({"ray_bvh", "out", "7", "5", "1", "blind"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_NE(result.err.find("blind: camera: it looks at its own position"), std::string::npos)
+      << result.err;
 }
 
 TEST(ClassicRender, WritesBinaryPpmWhateverTheName) {

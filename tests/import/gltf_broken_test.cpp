@@ -43,6 +43,20 @@ TEST(BrokenGltf, StructureIsChecked) {
                "A is required but not supported");
 }
 
+TEST(BrokenGltf, WhatIsNotThereIsMissedInItsFile) {
+  ImportOptions options;
+  options.scene = "Absent";
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"scenes":[{"name":"Hall"},{}],"nodes":[{}]})";
+  const std::string scene = error_of(text, options);
+  EXPECT_NE(scene.find(".gltf: there is no scene"), std::string::npos) << scene;
+  EXPECT_NE(scene.find(R"("Hall", one without a name)"), std::string::npos) << scene;
+  options = {};
+  options.variant = "Absent";
+  EXPECT_NE(error_of(text, options).find(".gltf: the file has no variant"), std::string::npos)
+      << error_of(text, options);
+}
+
 TEST(BrokenGltf, AnErrorOfJsonIsOneShortLine) {
   // Cut inside of a data URI, as an interrupted transfer leaves it.
   const std::string text =

@@ -35,6 +35,14 @@ TEST(Stl, AnyFirstWordMayBeginABinaryFile) {
   EXPECT_EQ(solid->mesh.triangles, other->mesh.triangles);
 }
 
+TEST(Stl, ABinaryFileThatIsCutShortIsNotTakenForText) {
+  std::string bytes = as_stl_binary(bumpy_torus(4));
+  ASSERT_TRUE(bytes.starts_with("solid"));
+  bytes.resize(bytes.size() - 30);
+  EXPECT_NE(error_of(bytes).find("t.stl, byte 80: the file promises"), std::string::npos)
+      << error_of(bytes);
+}
+
 TEST(Stl, APromiseOfMoreFacetsIsNotBelieved) {
   std::string bytes = as_stl_binary(bumpy_torus(4));
   bytes[0] = 'x';

@@ -46,7 +46,7 @@ Status check_variant(const Context& context) {
   for (const JsonValue& known : context.document["extensions"][kVariants]["variants"].items()) {
     names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known["name"].text());
   }
-  return fail(Errc::usage, "variant",
+  return fail(Errc::usage, context.document.place(""),
               fmt::format("the file has no variant \"{}\"; it has {}", context.options.variant,
                           names.empty() ? "none" : names));
 }

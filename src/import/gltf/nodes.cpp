@@ -89,9 +89,11 @@ Expected<std::uint32_t> chosen_scene(const Context& context) {
   if (error == std::errc() && stop == end && index < scenes.size()) return index;
   std::string names;
   for (const JsonValue& scene : scenes.items()) {
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", scene["name"].text());
+    const std::string name(scene["name"].text());
+    names += names.empty() ? "" : ", ";
+    names += name.empty() ? "one without a name" : '"' + name + '"';
   }
-  return fail(Errc::usage, "scene",
+  return fail(Errc::usage, context.document.place(""),
               fmt::format("there is no scene \"{}\"; the {} of the file: {}", wanted, scenes.size(),
                           names.empty() ? "none" : names));
 }

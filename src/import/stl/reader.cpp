@@ -28,6 +28,8 @@ std::uint64_t declared_facets(std::span<const std::byte> bytes) {
 bool is_binary(std::span<const std::byte> bytes) {
   if (bytes.size() < kFirstFacet) return false;
   if (bytes.size() == kFirstFacet + declared_facets(bytes) * kFacetBytes) return true;
+  // Text has no zeros: a binary file whose header begins like text, and which is cut short.
+  if (as_text(bytes.first(kFirstFacet)).find('\0') != std::string_view::npos) return true;
   return !trimmed(as_text(bytes.first(kHeaderBytes))).starts_with("solid");
 }
 
