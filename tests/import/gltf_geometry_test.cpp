@@ -59,6 +59,24 @@ TEST(GltfGeometry, AMeshSeenTwiceIsStoredOnce) {
   EXPECT_EQ(scene.instances[1].to_world.rows[0][3], 5);
 }
 
+TEST(GltfGeometry, AFlatInstanceIsSeenAsAFlatMeshIs) {
+  GltfText file;
+  const auto positions = file.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2});
+  const auto indices = file.indices({0, 1, 2, 0, 2, 3});
+  const auto result = import_text(file.text(fmt::format(
+      R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":{}}},"indices":{}}}]}}],"nodes":[{{"mesh":0}},{{"mesh":0,"translation":[5,0,0],"scale":[1,1,0]}},{{"mesh":0,"scale":[0,0,1]}}],"scenes":[{{"nodes":[0,1,2]}}])",
+      positions, indices)));
+  ASSERT_TRUE(result) << to_string(result.error());
+  const Scene& scene = result->scene;
+  EXPECT_EQ(scene.instances.size(), 1u);
+  // One of its two triangles keeps an area.
+  ASSERT_EQ(scene.triangles.size(), 3u);
+  EXPECT_EQ(corner(scene, 0, 1), Vec3f(6, 0, 0));
+  const std::string warnings = fmt::format("{}", fmt::join(result->warnings, "\n"));
+  EXPECT_NE(warnings.find("1 triangles"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("1 of its instances are left out"), std::string::npos) << warnings;
+}
+
 TEST(GltfGeometry, EveryModeHasItsNumberOfPieces) {
   struct Case {
     int mode;

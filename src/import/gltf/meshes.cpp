@@ -46,6 +46,15 @@ std::optional<Transformf> rounded_transform(const Transformd& m) {
   return is_valid(rounded) ? std::optional(rounded) : std::nullopt;
 }
 
+// False where every triangle becomes a line or a point, or one that is not finite.
+bool keeps_surfaces(const Transformd& m) {
+  const Vec3d x = m.vector(Vec3d(1, 0, 0)), y = m.vector(Vec3d(0, 1, 0));
+  const Vec3d z = m.vector(Vec3d(0, 0, 1));
+  double area = 0;
+  for (const Vec3d& side : {cross(x, y), cross(y, z), cross(z, x)}) area += max_abs_component(side);
+  return area > 0 && std::isfinite(area);
+}
+
 // Points and lines have no surface of their own that a texture could lie on: colours of vertices
 // become materials, in steps fine enough that none is seen.
 class ColouredMaterials {
@@ -173,9 +182,15 @@ Status Meshes::add_shared(const LoadedMesh& mesh, const std::vector<const Placem
   const std::string pointer = fmt::format("/meshes/{}", mesh.index);
   const auto prototype = context_.builder.add_prototype(data);
   if (!prototype) return context_.document.error(pointer, prototype.error().message);
-  std::size_t flat = 0;
+  std::size_t without_surface = 0;
   for (const Placement* placement : placements) {
     for (const Transformd& to_world : placement->to_world) {
+      const auto rounded = rounded_transform(to_world);
+      if (!rounded && keeps_surfaces(to_world)) {
+        // Flat: as a mesh that one node shows.
+        if (auto added = add_baked(mesh, *placement, to_world); !added) return added;
+        continue;
+      }
       for (const auto& [primitive, material] : mesh.primitives) {
         if (!primitive.triangles.empty()) continue;
         Vertices vertices = morphed(primitive, placement->weights);
@@ -185,18 +200,17 @@ Status Meshes::add_shared(const LoadedMesh& mesh, const std::vector<const Placem
         }
       }
       if (*prototype == kNoPrototype) continue;
-      const auto rounded = rounded_transform(to_world);
       if (!rounded) {
-        ++flat;
+        ++without_surface;
       } else if (auto added = context_.builder.add_instance(*prototype, *rounded); !added) {
         return context_.document.error(pointer, added.error().message);
       }
     }
   }
-  if (flat > 0) {
-    context_.warn(pointer, fmt::format("{} of its instances are left out: their transforms are "
-                                       "flat or not finite",
-                                       flat));
+  if (without_surface > 0) {
+    context_.warn(pointer, fmt::format("{} of its instances are left out: their transforms leave "
+                                       "no surface of them",
+                                       without_surface));
   }
   return {};
 }
