@@ -31,8 +31,15 @@ Expected<double> meant_aspect(const SceneInput& input, const ViewOptions& option
   });
 }
 
-int side(double pixels) {
-  return static_cast<int>(std::clamp(std::floor(pixels + 0.5), 1.0, double{kMaxImageSide}));
+// The side of a picture that follows from the other one and its shape.
+Expected<int> side(double pixels, double aspect, const Arguments& arguments) {
+  const double rounded = std::max(std::floor(pixels + 0.5), 1.0);
+  if (rounded <= kMaxImageSide) return static_cast<int>(rounded);
+  return fail(
+      Errc::bad_data, arguments.text("SCENE"),
+      fmt::format("its picture is {:.6g} times as wide as high, and a side of {:.6g} is more "
+                  "than {}; give --width and --height",
+                  aspect, rounded, kMaxImageSide));
 }
 
 }  // namespace
@@ -105,12 +112,11 @@ Expected<std::array<int, 2>> picture_size(const Arguments& arguments, const Scen
   std::array<int, 2> size = {arguments.small_integer("width"), arguments.small_integer("height")};
   if ((has_width && has_height) || *aspect == 0) return size;
   if (!has_width && !has_height && input.pictures.resolution) return *input.pictures.resolution;
-  if (has_height) {
-    size[0] = side(size[1] * *aspect);
-  } else {
-    size[1] = side(size[0] / *aspect);
-  }
-  return size;
+  const double other = has_height ? size[1] * *aspect : size[0] / *aspect;
+  return side(other, *aspect, arguments).map([&](int pixels) {
+    size[has_height ? 0 : 1] = pixels;
+    return size;
+  });
 }
 
 ToneMap tone_map_from(const Arguments& arguments, bool classic) {

@@ -91,6 +91,21 @@ TEST(BenchModels, ACompactBvhTakesLess) {
   EXPECT_GT(bytes_each({}), 36);
 }
 
+TEST(RenderModels, AShapeThatNoPictureCanHaveIsAnError) {
+  const TestFolder folder;
+  folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[)"
+                         R"({"camera":0}],"cameras":[{"type":"perspective","perspective":)"
+                         R"({"yfov":1,"znear":0.1,"aspectRatio":1e-9}}]})");
+  const Words words = {"dapple", "render", "a.gltf", "-o", "a.pfm", "--spp=1", "--width=60"};
+  const auto result = folder.run(words);
+  EXPECT_EQ(result.exit_code, 65);
+  EXPECT_NE(result.err.find("a.gltf: its picture is 1e-09 times as wide as high"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(size_of_picture(folder, "a.gltf", {"--width=6", "--height=4"}),
+            (std::pair<int, int>(6, 4)));
+}
+
 TEST(RenderModels, AStoredSceneKeepsTheSizeAndTheShapeOfItsPictures) {
   const TestFolder folder;
   const std::string perspective = R"("type":"perspective","perspective":{"yfov":1,"znear":0.1)";
