@@ -49,8 +49,9 @@ std::vector<OptionInfo> view_options() {
       {.name = "environment",
        .kind = ValueKind::text,
        .value = "FILE",
-       .help = "What surrounds the scene: an equirectangular picture (.hdr, .exr, ...), studio or "
-               "none"},
+       .help =
+           "What surrounds the scene: an equirectangular picture (HDR, EXR, PFM, PNG, PPM, JPEG or "
+           "WebP), studio or none"},
       {.name = "rotate",
        .kind = ValueKind::real,
        .value = "DEGREES",

@@ -10,6 +10,8 @@
 #include "image/pfm.h"
 #include "image/png.h"
 #include "image/ppm.h"
+#include "image/raw_image.h"
+#include "image/transfer.h"
 #include "util/atomic_file.h"
 #include "util/mapped_file.h"
 
@@ -42,6 +44,26 @@ constexpr ImageFormat kFormats[] = {
     {".exr", is_exr, encode_exr, decode_exr}, {".pfm", is_pfm, encode_pfm, decode_pfm},
     {".hdr", is_hdr, encode_hdr, decode_hdr},
 };
+
+// Formats that are read and not written.
+bool is_jpeg(std::string_view content) { return content.starts_with("\xff\xd8\xff"); }
+bool is_webp(std::string_view content) {
+  return content.starts_with("RIFF") && content.substr(0, 12).ends_with("WEBP");
+}
+
+// Eight bits in sRGB, which is what such files are unless a profile says otherwise.
+Expected<Image> decode_srgb(std::span<const std::byte> bytes, const ImageReadOptions& options) {
+  const auto raw = decode_raw_image(bytes, options.max_pixels);
+  if (!raw) return tl::unexpected(raw.error());
+  const std::vector<float> table = decode_table(255, Transfer::srgb);
+  Image image(static_cast<int>(raw->width), static_cast<int>(raw->height));
+  const std::uint8_t* texel = raw->texels.data();
+  for (Vec3f& pixel : image.pixels) {
+    pixel = {table[texel[0]], table[texel[1]], table[texel[2]]};
+    texel += 4;
+  }
+  return image;
+}
 
 bool ends_in(std::string_view name, std::string_view ending) {
   if (name.size() < ending.size()) return false;
@@ -105,8 +127,9 @@ Expected<Image> decode_image(std::span<const std::byte> bytes,
   for (const ImageFormat& format : kFormats) {
     if (format.matches(content)) return format.decode(bytes, options);
   }
+  if (is_jpeg(content) || is_webp(content)) return decode_srgb(bytes, options);
   return fail(Errc::bad_data, "",
-              fmt::format("not a picture in a known format ({})", known_endings()));
+              fmt::format("not a picture in a known format ({}, jpeg, webp)", known_endings()));
 } catch (const std::bad_alloc&) {
   return fail(Errc::memory, "", "out of memory while the picture was decoded");
 }

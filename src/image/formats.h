@@ -46,8 +46,9 @@ struct ImageReadOptions {
 // The ending by which write_image chooses the format: ".png", ".exr", ".pfm", ".hdr", else ".ppm".
 [[nodiscard]] std::string_view format_ending(std::string_view path);
 
-// The picture in linear light. The format is recognised by the file's first bytes, whatever its
-// name. Alpha is left out unless asked for; a file without RGB channels gives grey.
+// The picture in linear light: what write_image writes, and JPEG and WebP. The format is recognised
+// by the file's first bytes, whatever its name. Alpha is left out unless asked for; a file without
+// RGB channels gives grey.
 [[nodiscard]] Expected<Image> read_image(const std::string& path,
                                          const ImageReadOptions& options = {});
 

@@ -54,7 +54,8 @@ TEST(ImageFiles, ReadingErrorsNameTheFile) {
   EXPECT_EQ(error_of("empty").code, Errc::bad_data);
   EXPECT_EQ(to_string(error_of("empty")), folder / "empty" + ": the file is empty");
   EXPECT_EQ(to_string(error_of("foreign")),
-            folder / "foreign" + ": not a picture in a known format (ppm, png, exr, pfm, hdr)");
+            folder / "foreign" +
+                ": not a picture in a known format (ppm, png, exr, pfm, hdr, jpeg, webp)");
   EXPECT_EQ(to_string(error_of("short.ppm")),
             folder / "short.ppm" + ", byte 14: the file ends early: 2 x 2 pixels need 23 bytes");
 }

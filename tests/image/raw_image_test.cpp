@@ -81,6 +81,18 @@ std::vector<unsigned char> grey_jpeg(unsigned width, unsigned height, unsigned c
   return bytes;
 }
 
+TEST(RawImage, PicturesThatAreOnlyReadAreInSrgb) {
+  const auto file = grey_jpeg(9, 5, 188);
+  const auto image = decode_image(bytes_of(file.data(), file.size()));
+  ASSERT_TRUE(image) << to_string(image.error());
+  EXPECT_EQ(image->width, 9);
+  EXPECT_EQ(image->height, 5);
+  for (const Vec3f& pixel : image->pixels) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(pixel[c], 0.503f, 0.01f);  // a step of the file's
+  }
+  EXPECT_FALSE(decode_image(bytes_of(file.data(), file.size()), {Transfer::srgb, 44}));
+}
+
 TEST(RawImage, JpegIsOpaqueAndKeepsFlatColours) {
   const auto file = grey_jpeg(17, 9, 100);
   const auto image = decode_raw_image(bytes_of(file.data(), file.size()));
