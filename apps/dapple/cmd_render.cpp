@@ -108,6 +108,9 @@ Expected<RenderResult> render_scene(const SceneView& scene, bool show_progress, 
   if (report.warn_of_nothing && !sees_surfaces(prepared, report.settings)) {
     print_warning("no surface is in the camera's sight");
   }
+  if (stands_in_medium(prepared)) {
+    print_warning("the camera stands inside of a body whose medium is left out up to its surface");
+  }
   report.build_seconds = lap(clock);
   ProgressBar bar(show_progress, report.samples());
   RenderControl control;

@@ -34,7 +34,37 @@ bool any_hit(const PreparedScene& scene, const RenderSettings& settings, const C
   return false;
 }
 
+// Whether the nearest surface of a body with a medium is met from within.
+bool leaves_medium(const PreparedScene& scene, Ray ray) {
+  constexpr int kMostSurfaces = 64;  // in front of that of the body
+  const LitScene& lit = scene.lit();
+  for (int i = 0; i < kMostSurfaces; ++i) {
+    const Hit hit = scene.accel().intersect(ray);
+    if (!hit.found()) return false;
+    if (!lit.materials().interior(lit.surfaces().material_of(hit)).is_vacuum()) {
+      return dot(scene.accel().locate(ray, hit).outward, ray.direction) > 0;
+    }
+    ray.t_min = std::nextafter(hit.t * (1 + kTrianglePositionError), ray.t_max);
+  }
+  return false;
+}
+
 }  // namespace
+
+bool stands_in_medium(const PreparedScene& scene) {
+  if (scene.lit_or_null() == nullptr) return false;
+  // Not along the axes themselves, where the seams of bodies often lie.
+  const Vec3f directions[] = {{1, 0.11f, 0.07f}, {0.07f, 1, 0.11f}, {0.11f, 0.07f, 1}};
+  for (const Vec3f& direction : directions) {
+    for (const float sign : {1.0f, -1.0f}) {
+      Ray ray;
+      ray.origin = Vec3f(scene.camera().look_from);
+      ray.direction = sign * direction;
+      if (!leaves_medium(scene, ray)) return false;
+    }
+  }
+  return true;
+}
 
 bool sees_surfaces(const PreparedScene& scene, const RenderSettings& settings) {
   const auto rays = CameraRays::create(scene.camera(), settings);

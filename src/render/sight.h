@@ -10,4 +10,9 @@ namespace dapple {
 // can be tried in no time. The camera's axes must not be degenerate.
 [[nodiscard]] bool sees_surfaces(const PreparedScene& scene, const RenderSettings& settings);
 
+// True when the camera stands inside of a closed surface with a medium, which paths that begin at
+// it know nothing of: in directions all round the nearest such surface is met from within. False
+// for classic scenes.
+[[nodiscard]] bool stands_in_medium(const PreparedScene& scene);
+
 }  // namespace dapple

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/render/lit_scenes.h"
 
 namespace dapple {
@@ -49,6 +51,30 @@ TEST(Sight, SmallThingsAreSeenFromNearBy) {
 TEST(Sight, AShapeAsLargeAsAPixelIsFound) {
   const double pixel = 4.0 / 256;
   EXPECT_TRUE(sees(sphere_at({1.2345, -0.777, 0}, pixel), 256));
+}
+
+bool in_medium(const Scene& scene) {
+  return stands_in_medium(PreparedScene(scene, make_accel(AccelKind::fast, scene)));
+}
+
+// The camera looks from (0, 0, 10).
+TEST(Sight, AMediumAroundTheCameraIsNoticed) {
+  const auto body = [](const Vec3d& centre, double radius, float attenuation_distance) {
+    Scene scene = empty_lit_scene(4, 10);
+    LayeredMaterial glass;
+    glass.transmission = 1;
+    glass.thickness = 1;
+    glass.attenuation_distance = attenuation_distance;
+    glass.attenuation_colour = {0.5f, 0.5f, 0.5f};
+    scene.add_sphere(Sphere{centre, radius}, add_layered(scene, glass));
+    scene.add_sphere(Sphere{{0, 0, 8}, 0.5}, add_diffuse(scene, 0.5f));
+    return scene;
+  };
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(in_medium(body({0, 0, 9}, 3, 1)));
+  EXPECT_FALSE(in_medium(body({0, 0, 9}, 3, kInfinity)));  // clear glass
+  EXPECT_FALSE(in_medium(body({0, 0, 3}, 3, 1)));          // in front of the camera
+  EXPECT_FALSE(in_medium(sphere_at({0, 0, 10}, 3)));
 }
 
 TEST(Sight, FromInsideOfAShapeItIsSeen) { EXPECT_TRUE(sees(sphere_at({0, 0, 10}, 3), 32)); }
