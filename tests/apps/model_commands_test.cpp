@@ -91,6 +91,16 @@ TEST(BenchModels, ACompactBvhTakesLess) {
   EXPECT_GT(bytes_each({}), 36);
 }
 
+TEST(RenderModels, CamerasWithoutNamesAreListedByIndex) {
+  const TestFolder folder;
+  folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1]}],"nodes":[)"
+                         R"({"camera":0},{"camera":0}],"cameras":[{"type":"perspective",)"
+                         R"("perspective":{"yfov":1,"znear":0.1}}]})");
+  const auto result = folder.run({"dapple", "render", "a.gltf", "-o", "a.pfm", "--camera=9"});
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_NE(result.err.find("there are 0 to 1, without names"), std::string::npos) << result.err;
+}
+
 TEST(RenderModels, AShapeThatNoPictureCanHaveIsAnError) {
   const TestFolder folder;
   folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[)"
