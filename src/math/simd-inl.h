@@ -32,6 +32,10 @@ inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
 
 HWY_INLINE FloatVec all(float x) { return hn::Set(Floats(), x); }
 HWY_INLINE WordVec all_words(std::uint32_t x) { return hn::Set(Words(), x); }
+// first, first + 1 and so on. Iota itself would go through memory, where `first` is not a constant.
+HWY_INLINE WordVec words_from(std::uint32_t first) {
+  return hn::Add(hn::Iota(Words(), 0), all_words(first));
+}
 HWY_INLINE FloatVec load_floats(const float* floats) { return hn::Load(Floats(), floats); }
 
 // As x86 has them and as `a < b ? a : b` says: the second where one is not a number.
@@ -73,6 +77,21 @@ HWY_INLINE FloatVec3 select(FloatMask mask, FloatVec3 yes, FloatVec3 no) {
 }
 
 HWY_INLINE bool any(FloatMask mask) { return !hn::AllFalse(Floats(), mask); }
+// Bit i is lane i of the mask.
+HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
+#if HWY_TARGET <= HWY_AVX3
+  return static_cast<std::uint32_t>(mask.raw);
+#elif HWY_TARGET == HWY_AVX2
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw));
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  return static_cast<std::uint32_t>(_mm_movemask_ps(mask.raw));
+#else
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Floats(), mask, bytes);
+  return bytes[0];
+#endif
+}
+
 HWY_INLINE FloatMask float_mask(WordMask mask) { return hn::RebindMask(Floats(), mask); }
 HWY_INLINE WordMask word_mask(FloatMask mask) { return hn::RebindMask(Words(), mask); }
 HWY_INLINE WordVec bits_of_floats(FloatVec v) { return hn::BitCast(Words(), v); }

@@ -31,21 +31,49 @@ struct ScatteredVec {
   FloatMask absorbed;
 };
 
-// Materials ids[i] of the records; ids of lanes that do not count are any in range.
-HWY_INLINE MaterialVec load_materials(const PackedMaterial* records, WordVec ids) {
-  // Records 2^28 and on are out of a gather's reach: 8 GiB of them.
-  const auto* words = reinterpret_cast<const std::uint32_t*>(records);
-  const WordVec index = hn::ShiftLeft<3>(ids);
-  const WordVec kind = gather(words + 5, index);
-  const auto is = [](MaterialKind k) { return static_cast<std::uint32_t>(k); };
-  return {{floats_of_bits(gather(words + 0, index)), floats_of_bits(gather(words + 1, index)),
-           floats_of_bits(gather(words + 2, index))},
-          floats_of_bits(gather(words + 3, index)),
-          floats_of_bits(gather(words + 4, index)),
-          float_mask(hn::Eq(kind, all_words(is(MaterialKind::lambertian)))),
-          float_mask(hn::Eq(kind, all_words(is(MaterialKind::metal)))),
-          float_mask(hn::Eq(kind, all_words(is(MaterialKind::dielectric))))};
-}
+// A word of each of the first kLanes records as one vector, or only where the records are.
+class MaterialTable {
+ public:
+  HWY_INLINE MaterialTable(const PackedMaterial* records, std::size_t count)
+      : words_(reinterpret_cast<const std::uint32_t*>(records)), few_(count <= kLanes) {
+    if (!few_) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t word = 0; word < kWords; ++word) rows_[word][i] = words_[8 * i + word];
+    }
+  }
+
+  // Of materials ids[i]; ids of lanes that do not count are any in range.
+  HWY_INLINE MaterialVec operator[](WordVec ids) const {
+    const WordVec kind = word(5, ids);
+    const auto is = [&](MaterialKind k) HWY_ATTR -> FloatMask {
+      return float_mask(hn::Eq(kind, all_words(static_cast<std::uint32_t>(k))));
+    };
+    return {{number(0, ids), number(1, ids), number(2, ids)},
+            number(3, ids),
+            number(4, ids),
+            is(MaterialKind::lambertian),
+            is(MaterialKind::metal),
+            is(MaterialKind::dielectric)};
+  }
+
+ private:
+  static constexpr std::size_t kWords = 6;
+
+  HWY_INLINE WordVec word(std::size_t i, WordVec ids) const {
+    if (HWY_LIKELY(few_)) {
+      return hn::TableLookupLanes(hn::Load(Words(), rows_[i]), hn::IndicesFromVec(Words(), ids));
+    }
+    // Records 2^28 and on are out of a gather's reach: 8 GiB of them.
+    return gather(words_ + i, hn::ShiftLeft<3>(ids));
+  }
+  HWY_INLINE FloatVec number(std::size_t i, WordVec ids) const {
+    return floats_of_bits(word(i, ids));
+  }
+
+  const std::uint32_t* words_;
+  bool few_;
+  HWY_ALIGN std::uint32_t rows_[kWords][kLanes] = {};
+};
 
 HWY_INLINE FloatVec3 reflect(FloatVec3 d, FloatVec3 n) {
   return d - hn::Mul(all(2.0f), dot(d, n)) * n;

@@ -1,5 +1,6 @@
 // Rays prepared as prepare() of prepared_ray.h does, as many at once as a vector has lanes.
 #include "accel/kernels/simd-inl.h"
+#include "math/quads-inl.h"
 
 #if defined(DAPPLE_KERNELS_PREPARE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_PREPARE_INL_H
@@ -19,30 +20,14 @@ struct RayLanes {
 
 // The eight numbers of each of kLanes rays.
 HWY_INLINE void load_numbers(const Ray* from, RayLanes& rays) {
-  const float* numbers = &from->origin.x;
-  FloatVec origin_first[4], direction_first[4];
-#if HWY_TARGET == HWY_SCALAR
-  for (std::size_t i = 0; i < 4; ++i) {
-    origin_first[i] = all(numbers[i]);
-    direction_first[i] = all(numbers[4 + i]);
-  }
-#else
-  // Origins with t_min and directions with t_max stand in turn.
-  const Floats d;
-  FloatVec a[4], b[4];
-  hn::LoadInterleaved4(d, numbers, a[0], a[1], a[2], a[3]);
-  hn::LoadInterleaved4(d, numbers + 4 * kLanes, b[0], b[1], b[2], b[3]);
-  for (std::size_t i = 0; i < 4; ++i) {
-    origin_first[i] = hn::ConcatEven(d, b[i], a[i]);
-    direction_first[i] = hn::ConcatOdd(d, b[i], a[i]);
-  }
-#endif
+  const Quads origins = load_quads([=](std::size_t i) { return &from[i].origin.x; });
+  const Quads directions = load_quads([=](std::size_t i) { return &from[i].direction.x; });
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    rays.origin[axis] = origin_first[axis];
-    rays.direction[axis] = direction_first[axis];
+    rays.origin[axis] = origins.of[axis];
+    rays.direction[axis] = directions.of[axis];
   }
-  rays.t_min = origin_first[3];
-  rays.t_max = direction_first[3];
+  rays.t_min = origins.of[3];
+  rays.t_max = directions.of[3];
 }
 
 HWY_INLINE RayLanes load_rays(const Ray* from) {

@@ -3,6 +3,7 @@
 // How many there are is not known to a branch predictor, so vectors sort them without branches
 // where the instruction set has what that takes.
 #include "accel/kernels/stack-inl.h"
+#include "math/compress-inl.h"
 
 #if defined(DAPPLE_KERNELS_PUSH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_PUSH_INL_H
@@ -18,11 +19,6 @@ namespace HWY_NAMESPACE {
 inline constexpr std::size_t kNodeVecs = kWideWidth / kLanes;
 
 #if HWY_TARGET <= HWY_AVX3
-
-// The lanes of a mask first, in their order.
-HWY_INLINE WordVec compress_lanes(WordVec v, std::uint32_t bits) {
-  return WordVec{_mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), v.raw)};
-}
 
 // One step of a sorting network: lane i and lane partner[i] are put in order, the larger one into
 // the lanes of `larger`.
@@ -78,29 +74,6 @@ HWY_INLINE void push_children(const LaneHits* hits, const ChildRef* children, Pe
 }
 
 #elif HWY_TARGET == HWY_AVX2
-
-// For each mask of eight lanes: which lane goes to lane i, in the i-th four bits.
-struct LaneOrders {
-  std::uint32_t of[256];
-
-  constexpr LaneOrders() : of{} {
-    for (std::uint32_t bits = 0; bits < 256; ++bits) {
-      std::uint32_t count = 0;
-      for (std::uint32_t lane = 0; lane < 8; ++lane) {
-        if ((bits >> lane & 1) != 0) of[bits] |= lane << (4 * count++);
-      }
-    }
-  }
-};
-inline constexpr LaneOrders kLaneOrders;
-
-// The lanes of a mask first, in their order.
-HWY_INLINE WordVec compress_lanes(WordVec v, std::uint32_t bits) {
-  const __m256i order = _mm256_set1_epi32(static_cast<int>(kLaneOrders.of[bits]));
-  const __m256i shifts = _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28);
-  // Of the index of a lane, only the lowest three bits count.
-  return WordVec{_mm256_permutevar8x32_epi32(v.raw, _mm256_srlv_epi32(order, shifts))};
-}
 
 template <int kPartnerDistance, int kLarger>
 HWY_INLINE __m256i exchange(__m256i v) {

@@ -19,21 +19,6 @@ HWY_INLINE float load_float(const std::uint32_t* word) {
   return value;
 }
 
-// Bit i is lane i of the mask.
-HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
-#if HWY_TARGET <= HWY_AVX3
-  return static_cast<std::uint32_t>(mask.raw);
-#elif HWY_TARGET == HWY_AVX2
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw));
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-  return static_cast<std::uint32_t>(_mm_movemask_ps(mask.raw));
-#else
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Floats(), mask, bytes);
-  return bytes[0];
-#endif
-}
-
 // Removes the lowest set bit and returns its index.
 HWY_INLINE std::uint32_t take_lowest(std::uint32_t& bits) {
   const auto index = static_cast<std::uint32_t>(__builtin_ctz(bits));

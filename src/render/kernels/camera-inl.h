@@ -32,7 +32,7 @@ HWY_INLINE void start_row(const CameraFrame& camera, int begin, int end, int y, 
   path.y = all_words(static_cast<std::uint32_t>(y));
   path.sample = all_words(static_cast<std::uint32_t>(sample));
   for (int x = begin; x < end; x += static_cast<int>(kLanes)) {
-    path.x = hn::Iota(Words(), static_cast<std::uint32_t>(x));
+    path.x = words_from(static_cast<std::uint32_t>(x));
     generate(camera, uniform4({path.x, path.y, path.sample, kCameraDimension, seed}), path);
     store_paths(path, paths, paths.count);
     const auto left = static_cast<std::size_t>(end - x);

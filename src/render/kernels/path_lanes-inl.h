@@ -1,4 +1,6 @@
 // Paths, one a lane, and the way between arrays of structs in memory and lanes.
+#include "math/compress-inl.h"
+#include "math/quads-inl.h"
 #include "math/random-inl.h"
 #include "render/kernels/path_kernels.h"
 
@@ -21,49 +23,19 @@ struct PathVec {
 // The first `count` lanes.
 HWY_INLINE FloatMask first_lanes(std::size_t count) { return hn::FirstN(Floats(), count); }
 
-#if HWY_TARGET == HWY_SCALAR
-
 HWY_INLINE void load_rays(const Ray* rays, PathVec& path) {
-  path.origin = all(rays->origin);
-  path.direction = all(rays->direction);
-}
-HWY_INLINE void store_rays(const PathVec& path, Ray* rays) {
-  rays->origin = {hn::GetLane(path.origin.x), hn::GetLane(path.origin.y),
-                  hn::GetLane(path.origin.z)};
-  rays->t_min = kRayTMin;
-  rays->direction = {hn::GetLane(path.direction.x), hn::GetLane(path.direction.y),
-                     hn::GetLane(path.direction.z)};
-  rays->t_max = Bounds3f::kInfinity;
-}
-
-#else
-
-// Rays stand as origins and directions in turn, each with its bound, four words together.
-HWY_INLINE void load_rays(const Ray* rays, PathVec& path) {
-  const Floats d;
-  const float* words = &rays->origin.x;
-  FloatVec x0, y0, z0, bound, x1, y1, z1;
-  hn::LoadInterleaved4(d, words, x0, y0, z0, bound);
-  hn::LoadInterleaved4(d, words + 4 * kLanes, x1, y1, z1, bound);
-  path.origin = {hn::ConcatEven(d, x1, x0), hn::ConcatEven(d, y1, y0), hn::ConcatEven(d, z1, z0)};
-  path.direction = {hn::ConcatOdd(d, x1, x0), hn::ConcatOdd(d, y1, y0), hn::ConcatOdd(d, z1, z0)};
+  const Quads origins = load_quads([=](std::size_t i) { return &rays[i].origin.x; });
+  const Quads directions = load_quads([=](std::size_t i) { return &rays[i].direction.x; });
+  path.origin = {origins.of[0], origins.of[1], origins.of[2]};
+  path.direction = {directions.of[0], directions.of[1], directions.of[2]};
 }
 
 HWY_INLINE void store_rays(const PathVec& path, Ray* rays) {
-  const Floats d;
-  HWY_ALIGN float origins[4 * kLanes];
-  HWY_ALIGN float directions[4 * kLanes];
-  hn::StoreInterleaved4(path.origin.x, path.origin.y, path.origin.z, all(kRayTMin), d, origins);
-  hn::StoreInterleaved4(path.direction.x, path.direction.y, path.direction.z,
-                        all(Bounds3f::kInfinity), d, directions);
-  const hn::FixedTag<float, 4> quarter;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    hn::StoreU(hn::Load(quarter, origins + 4 * i), quarter, &rays[i].origin.x);
-    hn::StoreU(hn::Load(quarter, directions + 4 * i), quarter, &rays[i].direction.x);
-  }
+  const FloatVec3 o = path.origin, d = path.direction;
+  store_quads({{o.x, o.y, o.z, all(kRayTMin)}}, [=](std::size_t i) { return &rays[i].origin.x; });
+  store_quads({{d.x, d.y, d.z, all(Bounds3f::kInfinity)}},
+              [=](std::size_t i) { return &rays[i].direction.x; });
 }
-
-#endif
 
 HWY_INLINE PathVec load_paths(const PathArrays& paths, std::size_t i) {
   const Words d;
@@ -90,44 +62,72 @@ HWY_INLINE void store_paths(const PathVec& path, const PathArrays& paths, std::s
   hn::StoreU(path.sample, dw, paths.sample + i);
 }
 
-HWY_INLINE FloatVec3 compress(FloatVec3 v, FloatMask mask) {
-  return {hn::Compress(v.x, mask), hn::Compress(v.y, mask), hn::Compress(v.z, mask)};
-}
-
 // Lanes in the mask come first, in their order.
 HWY_INLINE PathVec compress(const PathVec& path, FloatMask mask) {
-  const WordMask words = word_mask(mask);
   return {compress(path.origin, mask),     compress(path.direction, mask),
-          compress(path.throughput, mask), hn::Compress(path.x, words),
-          hn::Compress(path.y, words),     hn::Compress(path.sample, words)};
+          compress(path.throughput, mask), compress(path.x, mask),
+          compress(path.y, mask),          compress(path.sample, mask)};
 }
 
-// Vectors of fields that fill up lane by lane, until kLanes elements can be taken at once.
+// Fields that fill up lane by lane, until they are taken as whole vectors. Many vectors at once:
+// what was stored a moment ago at another offset is slow to load.
 template <std::size_t kFields>
 struct LaneQueue {
-  HWY_ALIGN std::uint32_t words[kFields][2 * kLanes] = {};
+  static constexpr std::size_t kCapacity = 8 * kLanes;
+
+  HWY_ALIGN std::uint32_t words[kFields][kCapacity] = {};
   std::size_t count = 0;
 
-  // At most kLanes - 1 elements may be there.
-  HWY_INLINE void append(std::size_t field, WordVec values, WordMask mask) {
-    hn::StoreU(hn::Compress(values, mask), Words(), words[field] + count);
-  }
-  HWY_INLINE void append(std::size_t field, FloatVec3 values, WordMask mask) {
-    append(field, bits_of_floats(values.x), mask);
-    append(field + 1, bits_of_floats(values.y), mask);
-    append(field + 2, bits_of_floats(values.z), mask);
-  }
-  HWY_INLINE WordVec words_of(std::size_t field) const { return hn::Load(Words(), words[field]); }
-  HWY_INLINE FloatVec floats_of(std::size_t field) const { return floats_of_bits(words_of(field)); }
-  HWY_INLINE FloatVec3 vector_of(std::size_t field) const {
-    return {floats_of(field), floats_of(field + 1), floats_of(field + 2)};
-  }
-  // Drops the first kLanes elements.
-  HWY_INLINE void take() {
-    for (std::size_t f = 0; f < kFields; ++f) {
-      hn::Store(hn::Load(Words(), words[f] + kLanes), Words(), words[f]);
+  // Not to be appended to before elements were taken.
+  HWY_INLINE bool full() const { return count > kCapacity - kLanes; }
+
+  // Appends the lanes of a mask, field by field.
+  class Appender {
+   public:
+    HWY_INLINE Appender(LaneQueue& queue, FloatMask mask)
+        : end_(queue.words[0] + queue.count), mask_(mask) {
+      queue.count += hn::CountTrue(Floats(), mask);
     }
-    count -= kLanes;
+    HWY_INLINE void operator()(std::size_t field, WordVec values) const {
+      hn::StoreU(compress(values, mask_), Words(), end_ + field * kCapacity);
+    }
+    HWY_INLINE void operator()(std::size_t field, FloatVec3 values) const {
+      (*this)(field, bits_of_floats(values.x));
+      (*this)(field + 1, bits_of_floats(values.y));
+      (*this)(field + 2, bits_of_floats(values.z));
+    }
+
+   private:
+    std::uint32_t* end_;
+    FloatMask mask_;
+  };
+
+  // Elements [i, i + kLanes), for i a multiple of kLanes.
+  HWY_INLINE WordVec words_of(std::size_t field, std::size_t i) const {
+    return hn::Load(Words(), words[field] + i);
+  }
+  HWY_INLINE FloatVec floats_of(std::size_t field, std::size_t i) const {
+    return floats_of_bits(words_of(field, i));
+  }
+  HWY_INLINE FloatVec3 vector_of(std::size_t field, std::size_t i) const {
+    return {floats_of(field, i), floats_of(field + 1, i), floats_of(field + 2, i)};
+  }
+  // Calls take(i, kLanes) for all whole vectors and drops their elements.
+  template <class Take>
+  HWY_INLINE void take_vectors(Take take) {
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) take(i, kLanes);
+    count -= i;
+    if (i == kCapacity) return;
+    for (std::size_t f = 0; f < kFields; ++f) hn::Store(words_of(f, i), Words(), words[f]);
+  }
+  // The same for all elements, of which the last vector may have fewer.
+  template <class Take>
+  HWY_INLINE void take_all(Take take) {
+    for (std::size_t i = 0; i < count; i += kLanes) {
+      take(i, count - i < kLanes ? count - i : kLanes);
+    }
+    count = 0;
   }
 };
 

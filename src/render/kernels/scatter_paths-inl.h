@@ -30,18 +30,19 @@ HWY_INLINE FloatVec3 sky(FloatVec3 direction) {
 // Fields: direction 0, throughput 3, x 6, y 7.
 using MissQueue = LaneQueue<8>;
 
-HWY_INLINE void add_misses(const MissQueue& misses, std::size_t count, TileSums& sums) {
-  add_to_film(misses.vector_of(3) * sky(misses.vector_of(0)), misses.words_of(6),
-              misses.words_of(7), count, sums);
+// `count` of them from the i-th on.
+HWY_INLINE void add_misses(const MissQueue& misses, std::size_t i, std::size_t count,
+                           TileSums& sums) {
+  add_to_film(misses.vector_of(3, i) * sky(misses.vector_of(0, i)), misses.words_of(6, i),
+              misses.words_of(7, i), count, sums);
 }
 
 HWY_INLINE void append_misses(const PathVec& path, FloatMask missed, MissQueue& misses) {
-  const WordMask mask = word_mask(missed);
-  misses.append(0, path.direction, mask);
-  misses.append(3, path.throughput, mask);
-  misses.append(6, path.x, mask);
-  misses.append(7, path.y, mask);
-  misses.count += hn::CountTrue(Floats(), missed);
+  const MissQueue::Appender append(misses, missed);
+  append(0, path.direction);
+  append(3, path.throughput);
+  append(6, path.x);
+  append(7, path.y);
 }
 
 // Fields: origin 0, direction 3, throughput 6, x 9, y 10, sample 11, t 12, prim 13, lane 14 and 15.
@@ -53,26 +54,27 @@ struct HitWords {
 
 HWY_INLINE void append_hits(const PathVec& path, const HitWords& hit, FloatMask found,
                             HitQueue& hits) {
-  const WordMask mask = word_mask(found);
-  hits.append(0, path.origin, mask);
-  hits.append(3, path.direction, mask);
-  hits.append(6, path.throughput, mask);
-  hits.append(9, path.x, mask);
-  hits.append(10, path.y, mask);
-  hits.append(11, path.sample, mask);
-  hits.append(12, hit.t, mask);
-  hits.append(13, hit.prim, mask);
-  hits.append(14, hit.low, mask);
-  hits.append(15, hit.high, mask);
-  hits.count += hn::CountTrue(Floats(), found);
+  const HitQueue::Appender append(hits, found);
+  append(0, path.origin);
+  append(3, path.direction);
+  append(6, path.throughput);
+  append(9, path.x);
+  append(10, path.y);
+  append(11, path.sample);
+  append(12, hit.t);
+  append(13, hit.prim);
+  append(14, hit.low);
+  append(15, hit.high);
 }
 
 // For each kind that occurs `there`, other lanes look up index 0 and are masked out.
 HWY_INLINE WordVec material_ids(const SurfaceView& surfaces, WordVec prim, WordVec kind,
                                 WordMask there) {
   WordVec ids = hn::Zero(Words());
-  for (std::uint32_t k = 0; k < kShapeKindCount; ++k) {
-    const WordMask of_kind = hn::And(there, hn::Eq(kind, all_words(k)));
+  WordMask left = there;
+  for (std::uint32_t k = 0; k < kShapeKindCount && !hn::AllFalse(Words(), left); ++k) {
+    const WordMask of_kind = hn::And(left, hn::Eq(kind, all_words(k)));
+    left = hn::AndNot(of_kind, left);
     if (hn::AllFalse(Words(), of_kind)) continue;
     const WordVec index =
         hn::IfThenElseZero(of_kind, hn::Sub(prim, all_words(surfaces.first_ids[k])));
@@ -82,35 +84,36 @@ HWY_INLINE WordVec material_ids(const SurfaceView& surfaces, WordVec prim, WordV
   return ids;
 }
 
-HWY_INLINE MaterialVec materials_of(const SurfaceView& surfaces, WordVec prim, WordVec lane_high,
-                                    FloatMask there) {
+HWY_INLINE MaterialVec materials_of(const SurfaceView& surfaces, const MaterialTable& table,
+                                    WordVec prim, WordVec lane_high, FloatMask there) {
   WordVec ids = hn::Zero(Words());
   if (surfaces.material_count > 1) {
     ids = material_ids(surfaces, prim, hn::ShiftRight<28>(lane_high), word_mask(there));
   }
-  return load_materials(surfaces.materials, ids);
+  return table[ids];
 }
 
 struct Bounce {
   const SurfaceView& surfaces;
+  const MaterialTable materials;
   std::uint32_t dimension;
   std::uint64_t seed;
 };
 
-// Scatters the first `count` paths of the queue and stores those that go on.
-HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::size_t count,
-                             PathArrays& paths) {
+// Scatters `count` paths of the queue from the i-th on and stores those that go on.
+HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::size_t i,
+                             std::size_t count, PathArrays& paths) {
   const FloatVec zero = hn::Zero(Floats());
   const FloatMask there = first_lanes(count);
-  PathVec path = {hits.vector_of(0), hits.vector_of(3), hits.vector_of(6),
-                  hits.words_of(9),  hits.words_of(10), hits.words_of(11)};
-  const SurfacePointVec at = locate(
-      bounce.surfaces.leaves, bounce.surfaces.instances,
-      {path.origin, path.direction, hits.floats_of(12), hits.words_of(14), hits.words_of(15)});
+  PathVec path = {hits.vector_of(0, i), hits.vector_of(3, i), hits.vector_of(6, i),
+                  hits.words_of(9, i),  hits.words_of(10, i), hits.words_of(11, i)};
+  const SurfacePointVec at = locate(bounce.surfaces.leaves, bounce.surfaces.instances,
+                                    {path.origin, path.direction, hits.floats_of(12, i),
+                                     hits.words_of(14, i), hits.words_of(15, i)});
   const FloatMask from_outside = hn::Lt(dot(path.direction, at.outward), zero);
   const FloatVec3 normal = select(from_outside, at.outward, -at.outward);
-  const MaterialVec material =
-      materials_of(bounce.surfaces, hits.words_of(13), hits.words_of(15), there);
+  const MaterialVec material = materials_of(bounce.surfaces, bounce.materials, hits.words_of(13, i),
+                                            hits.words_of(15, i), there);
   const ScatteredVec scattered =
       scatter(material, {normalize(path.direction), normal, from_outside},
               {path.x, path.y, path.sample, bounce.dimension, bounce.seed});
@@ -129,9 +132,12 @@ HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::si
 
 HWY_ATTR void scatter_paths(const SurfaceView& surfaces, std::uint32_t dimension,
                             std::uint64_t seed, PathArrays& paths, TileSums& sums) {
-  const Bounce bounce = {surfaces, dimension, seed};
+  const Bounce bounce = {surfaces, {surfaces.materials, surfaces.material_count}, dimension, seed};
   HitQueue hits;
   MissQueue misses;
+  const auto add = [&](std::size_t i, std::size_t n) HWY_ATTR { add_misses(misses, i, n, sums); };
+  const auto scatter_on = [&](std::size_t i, std::size_t n)
+                              HWY_ATTR { scatter_hits(bounce, hits, i, n, paths); };
   const std::size_t count = paths.count;
   paths.count = 0;  // never beyond what was read
   for (std::size_t i = 0; i < count; i += kLanes) {
@@ -143,17 +149,11 @@ HWY_ATTR void scatter_paths(const SurfaceView& surfaces, std::uint32_t dimension
     const FloatMask none = float_mask(hn::Eq(hit.prim, all_words(kNoPrim)));
     append_misses(path, hn::And(none, there), misses);
     append_hits(path, hit, hn::AndNot(none, there), hits);
-    if (misses.count >= kLanes) {
-      add_misses(misses, kLanes, sums);
-      misses.take();
-    }
-    if (hits.count >= kLanes) {
-      scatter_hits(bounce, hits, kLanes, paths);
-      hits.take();
-    }
+    if (misses.full()) misses.take_vectors(add);
+    if (hits.full()) hits.take_vectors(scatter_on);
   }
-  if (misses.count != 0) add_misses(misses, misses.count, sums);
-  if (hits.count != 0) scatter_hits(bounce, hits, hits.count, paths);
+  misses.take_all(add);
+  hits.take_all(scatter_on);
 }
 
 HWY_ATTR void cut_paths(const PathArrays& paths, TileSums& sums) {
