@@ -201,6 +201,16 @@ HWY_INLINE void keep_seen_through(std::size_t instance, float entry, Hit inside,
 // What a search starts from and, when nothing was found, must not return.
 HWY_INLINE Hit nothing_before(float t_max) { return {t_max, kNoPrim, {}}; }
 HWY_INLINE Hit finished(const Hit& best) { return best.prim == kNoPrim ? Hit{} : best; }
+// The same for kLanes of them, with their lanes in halves.
+HWY_INLINE void store_hits(FloatVec t, WordVec prim, WordVec lane_low, WordVec lane_high,
+                           Hit* hits) {
+  const Words d;
+  const WordMask found = hn::Ne(prim, all_words(kNoPrim));
+  const FloatVec finite = hn::IfThenElse(float_mask(found), t, all(Bounds3f::kInfinity));
+  hn::StoreInterleaved4(bits_of_floats(finite), prim, hn::IfThenElseZero(found, lane_low),
+                        hn::IfThenElseZero(found, lane_high), d,
+                        reinterpret_cast<std::uint32_t*>(hits));
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace dapple

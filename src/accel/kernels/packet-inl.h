@@ -46,14 +46,9 @@ HWY_INLINE void write_hits(const Packet& packet, Hit* hits) {
   for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
     const WordVec prim = hn::Load(d, packet.best_prim + i);
     const WordVec leaf = hn::Load(d, packet.best_leaf + i);
-    const WordMask found = hn::Ne(prim, hn::Set(d, kNoPrim));
-    const WordVec infinite = hn::BitCast(d, all(Bounds3f::kInfinity));
-    const WordVec t =
-        hn::IfThenElse(found, hn::BitCast(d, load_floats(packet.best_t + i)), infinite);
     const WordVec lane = hn::Or(hn::ShiftLeft<4>(leaf), hn::Load(d, packet.best_lane + i));
     const WordVec kind = hn::ShiftLeft<28>(hn::And(hn::ShiftRight<28>(leaf), hn::Set(d, 7)));
-    hn::StoreInterleaved4(t, prim, hn::IfThenElseZero(found, lane), hn::IfThenElseZero(found, kind),
-                          d, reinterpret_cast<std::uint32_t*>(hits + i));
+    store_hits(load_floats(packet.best_t + i), prim, lane, kind, hits + i);
   }
 }
 

@@ -43,7 +43,7 @@ HWY_INLINE void advance(const WideView& bvh, Search& search, std::size_t id, Wor
 }
 
 // Rays that one thread is given at most before it drains its searches.
-inline constexpr std::size_t kChunk = 4096;
+inline constexpr std::size_t kChunk = 8192;
 
 // Rays of a job that are traced one by one: runs of kBatch, the last of which may be shorter.
 struct Singles {
@@ -54,6 +54,12 @@ struct Singles {
     for (std::size_t i = begin; i < end; i += kBatch)
       runs[run_count++] = static_cast<std::uint16_t>(i);
     count += end - begin;
+  }
+  HWY_INLINE void drop_first(std::size_t runs_done) {
+    if (runs_done == 0) return;
+    run_count -= runs_done;
+    count -= runs_done * kBatch;
+    for (std::size_t i = 0; i < run_count; ++i) runs[i] = runs[i + runs_done];
   }
 };
 

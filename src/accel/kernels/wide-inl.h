@@ -2,6 +2,7 @@
 #include "accel/kernels/dispatch.h"
 #include "accel/kernels/packet-inl.h"
 #include "accel/kernels/singles-inl.h"
+#include "accel/kernels/stream-inl.h"
 
 #if defined(DAPPLE_KERNELS_WIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_KERNELS_WIDE_INL_H
@@ -51,7 +52,12 @@ HWY_INLINE bool try_packet(const WideView& bvh, const Job& job, std::size_t begi
   return worked;
 }
 
-// Packets where they work, large ones first; what they leave is traced one by one.
+// Streams need vectors that can be compressed.
+template <LeafKinds kKinds>
+inline constexpr bool kStreamed = kKinds == LeafKinds::spheres&& HWY_TARGET <= HWY_AVX2;
+
+// Packets where they work, large ones first; of what they leave, streams where those work; the rest
+// one by one.
 template <LeafKinds kKinds, class Job>
 HWY_INLINE void trace_chunk(const WideView& bvh, const Job& job, std::size_t count,
                             Packets& packets) {
@@ -65,6 +71,7 @@ HWY_INLINE void trace_chunk(const WideView& bvh, const Job& job, std::size_t cou
     }
   }
   singles.add(i, count);
+  if constexpr (kStreamed<kKinds>) trace_streams(bvh, job, singles);
   trace_singles<kKinds>(bvh, job, singles);
 }
 
