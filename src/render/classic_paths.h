@@ -27,6 +27,7 @@ class ClassicPaths : public Integrator {
       : scene_(scene), camera_(camera), settings_(settings) {}
 
   void render(SampleRange samples, TileOutput& output) const override;
+  std::int64_t paths_in_flight() const override { return 8192; }
 
  private:
   void render(SampleRange samples, TileSums& sums, PathBatch& batch) const;

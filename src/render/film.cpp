@@ -4,6 +4,9 @@
 #include <cmath>
 #include <new>
 
+#include "parallel/parallel.h"
+#include "render/kernels/path_kernels.h"
+
 namespace dapple {
 
 void TileSums::add(std::size_t index, const Vec3f& radiance) {
@@ -19,6 +22,16 @@ void TileSums::add(std::size_t index, const Vec3f& radiance) {
         static_cast<std::int64_t>(static_cast<double>(value * kFilmStepsPerUnit) + 0.5);
   }
 }
+
+namespace {
+
+// Means of `count` pixels' sums.
+void average(const PixelSum* sums, std::size_t count, int samples, Vec3f* pixels) {
+  const double scale = 1.0 / (double{kFilmStepsPerUnit} * samples);
+  path_kernels().average(sums->data(), 3 * count, scale, &pixels->x);
+}
+
+}  // namespace
 
 Film::Film(int width, int height) : width_(width), height_(height) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -36,20 +49,27 @@ void Film::merge(const TileSums& tile) {
       for (std::size_t c = 0; c < 3; ++c) row[x][c] += tile.sums()[index][c];
     }
   }
-  dropped_ += tile.dropped();
-  cut_ += tile.cut_count();
+  count(tile);
 }
 
-Image Film::to_image(int samples) const {
+Image Film::to_image(int samples) {
   Image image(width_, height_);
-  const double scale = 1.0 / (double{kFilmStepsPerUnit} * samples);
-  const auto mean = [&](std::int64_t sum) {
-    return static_cast<float>(static_cast<double>(sum) * scale);
-  };
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    image.pixels[i] = {mean(sums_[i][0]), mean(sums_[i][1]), mean(sums_[i][2])};
-  }
+  const auto columns = static_cast<std::size_t>(width_);
+  parallel_for_dynamic(static_cast<std::size_t>(height_), [&](std::size_t row) {
+    const std::size_t first = row * columns;
+    average(sums_.data() + first, columns, samples, image.pixels.data() + first);
+  });
   return image;
+}
+
+void FinishedTiles::merge(const TileSums& sums) {
+  const Tile& tile = sums.tile();
+  const auto columns = static_cast<std::size_t>(tile.width());
+  const PixelSum* row = sums.sums().data();
+  for (int y = tile.y0; y < tile.y1; ++y, row += columns) {
+    average(row, columns, samples_, &image_.at(tile.x0, y));
+  }
+  count(sums);
 }
 
 }  // namespace dapple

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "image/image.h"
@@ -57,27 +59,57 @@ class TileSums {
   std::uint64_t dropped_ = 0, cut_ = 0;
 };
 
-class Film {
+// Where tiles come together. Merging may be done from any thread, in any order.
+class TileTarget {
  public:
-  Film(int width, int height);
+  virtual ~TileTarget() = default;
 
-  // May be called from any thread, in any order.
-  void merge(const TileSums& tile);
-
-  // The mean of `samples` samples in each pixel.
-  Image to_image(int samples) const;
+  virtual void merge(const TileSums& tile) = 0;
+  // The mean of `samples` samples in each pixel, once: a target of finished tiles has it moved out.
+  virtual Image to_image(int samples) = 0;
 
   // Samples that were not finite and count as black.
   std::uint64_t dropped() const { return dropped_; }
   // Samples brighter than the film holds.
   std::uint64_t cut_count() const { return cut_; }
 
+ protected:
+  void count(const TileSums& tile) {
+    dropped_ += tile.dropped();
+    cut_ += tile.cut_count();
+  }
+
+ private:
+  std::atomic<std::uint64_t> dropped_ = 0, cut_ = 0;
+};
+
+// Sums of the whole picture, to which each pixel's samples may come in any number of tiles.
+class Film final : public TileTarget {
+ public:
+  Film(int width, int height);
+
+  void merge(const TileSums& tile) override;
+  Image to_image(int samples) override;
+
  private:
   int width_;
   int height_;
   HugeArray<PixelSum> sums_;  // zero at first
-  std::uint64_t dropped_ = 0, cut_ = 0;
   std::mutex mutex_;
+};
+
+// The picture itself, where a tile brings all samples of its pixels: no sums to clear, to add to
+// and to read again.
+class FinishedTiles final : public TileTarget {
+ public:
+  FinishedTiles(int width, int height, int samples) : image_(width, height), samples_(samples) {}
+
+  void merge(const TileSums& tile) override;
+  Image to_image(int /*samples*/) override { return std::move(image_); }
+
+ private:
+  Image image_;
+  int samples_;
 };
 
 }  // namespace dapple

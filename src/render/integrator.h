@@ -23,6 +23,9 @@ class Integrator {
   // Adds the samples of the range to every pixel of the output's tile. May be called from many
   // threads at once.
   virtual void render(SampleRange samples, TileOutput& output) const = 0;
+
+  // How many paths it is best given at once: as many as the second-level cache holds.
+  virtual std::int64_t paths_in_flight() const = 0;
 };
 
 }  // namespace dapple

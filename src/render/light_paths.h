@@ -27,6 +27,7 @@ class LightPaths : public Integrator {
   LightPaths(const PreparedScene& scene, const CameraRays& camera, const RenderSettings& settings);
 
   void render(SampleRange samples, TileOutput& output) const override;
+  std::int64_t paths_in_flight() const override { return 4096; }
 
  private:
   // The paths of one unit of work: element i of each of the first three belongs to one path.

@@ -14,9 +14,10 @@
 namespace dapple {
 namespace {
 
-constexpr int kTileSide = 32;
-// With the tile: 4096 paths in flight, which the second-level cache holds.
+constexpr int kSmallestTileSide = 32;
 constexpr int kSamplesPerUnit = 4;
+// There are at least so many units, unless the picture is too small, for all threads to share.
+constexpr std::int64_t kUnitsWanted = 64;
 
 // A pure function of the job: which pixels and which samples.
 struct Unit {
@@ -24,24 +25,45 @@ struct Unit {
   SampleRange samples;
 };
 
+struct TileSize {
+  int width = kSmallestTileSide, height = kSmallestTileSide;
+
+  std::int64_t pixel_count() const { return std::int64_t{width} * height; }
+};
+
+// Such that a unit has at most `most_paths`.
+TileSize tile_size(const RenderSettings& s, std::int64_t most_paths) {
+  const std::int64_t samples = std::min(s.samples_per_pixel, kSamplesPerUnit);
+  const std::int64_t pixels = std::int64_t{s.width} * s.height;
+  const std::int64_t share = pixels * s.samples_per_pixel / kUnitsWanted;
+  const std::int64_t most_pixels = std::min(most_paths, share) / samples;
+  TileSize size;
+  while (2 * size.pixel_count() <= most_pixels) {
+    (size.width <= size.height ? size.width : size.height) *= 2;
+  }
+  return size;
+}
+
 // The units of a job by number: all tiles of the first samples, then of the next.
 class Units {
  public:
-  explicit Units(const RenderSettings& s)
+  Units(const RenderSettings& s, const TileSize& tile)
       : settings_(s),
-        columns_(count_of(s.width, kTileSide)),
-        rows_(count_of(s.height, kTileSide)),
+        tile_(tile),
+        columns_(count_of(s.width, tile.width)),
+        rows_(count_of(s.height, tile.height)),
         blocks_(count_of(s.samples_per_pixel, kSamplesPerUnit)) {}
 
   std::size_t size() const { return columns_ * rows_ * blocks_; }
+  bool finish_tiles() const { return blocks_ == 1; }
 
   Unit operator[](std::size_t i) const {
     const auto column = static_cast<int>(i % columns_);
     const auto row = static_cast<int>(i / columns_ % rows_);
     const auto block = static_cast<int>(i / columns_ / rows_);
     const RenderSettings& s = settings_;
-    const int x = column * kTileSide, y = row * kTileSide, first = block * kSamplesPerUnit;
-    return {{x, y, std::min(x + kTileSide, s.width), std::min(y + kTileSide, s.height)},
+    const int x = column * tile_.width, y = row * tile_.height, first = block * kSamplesPerUnit;
+    return {{x, y, std::min(x + tile_.width, s.width), std::min(y + tile_.height, s.height)},
             {first, std::min(first + kSamplesPerUnit, s.samples_per_pixel)}};
   }
 
@@ -52,6 +74,7 @@ class Units {
   }
 
   const RenderSettings& settings_;
+  TileSize tile_;
   std::size_t columns_, rows_, blocks_;
 };
 
@@ -84,9 +107,9 @@ std::unique_ptr<Integrator> make_integrator(const PreparedScene& scene, const Ca
 // The films of one picture.
 class Films {
  public:
-  Films(const RenderSettings& settings, bool with_alpha)
-      : settings_(settings), colour_(settings.width, settings.height) {
-    if (with_alpha) alpha_.emplace(settings.width, settings.height);
+  Films(const RenderSettings& settings, bool finished_tiles, bool with_alpha)
+      : settings_(settings), colour_(make_target(finished_tiles)) {
+    if (with_alpha) alpha_ = make_target(finished_tiles);
   }
 
   TileOutput start(const Tile& tile) const {
@@ -95,13 +118,13 @@ class Films {
     return output;
   }
   void merge(const TileOutput& output) {
-    colour_.merge(output.colour);
+    colour_->merge(output.colour);
     if (alpha_) alpha_->merge(*output.alpha);
     clamped_steps_ += output.clamped_steps;
   }
-  RenderResult result() const {
-    RenderResult result{colour_.to_image(settings_.samples_per_pixel), colour_.dropped(),
-                        colour_.cut_count()};
+  RenderResult result() {
+    RenderResult result{colour_->to_image(settings_.samples_per_pixel), colour_->dropped(),
+                        colour_->cut_count()};
     const double values =
         double{3.0} * settings_.width * settings_.height * settings_.samples_per_pixel;
     result.clamped_radiance =
@@ -115,9 +138,14 @@ class Films {
   }
 
  private:
+  std::unique_ptr<TileTarget> make_target(bool finished_tiles) const {
+    const int width = settings_.width, height = settings_.height;
+    if (!finished_tiles) return std::make_unique<Film>(width, height);
+    return std::make_unique<FinishedTiles>(width, height, settings_.samples_per_pixel);
+  }
+
   const RenderSettings& settings_;
-  Film colour_;
-  std::optional<Film> alpha_;
+  std::unique_ptr<TileTarget> colour_, alpha_;
   std::atomic<std::int64_t> clamped_steps_{0};
 };
 
@@ -129,8 +157,9 @@ Expected<RenderResult> render(const PreparedScene& scene, const RenderSettings& 
   const auto camera = CameraRays::create(scene.camera(), settings);
   if (!camera) return tl::unexpected(camera.error());
   const auto integrator = make_integrator(scene, *camera, settings);
-  const Units units(settings);
-  Films films(settings, settings.transparent_background && scene.lit_or_null() != nullptr);
+  const Units units(settings, tile_size(settings, integrator->paths_in_flight()));
+  Films films(settings, units.finish_tiles(),
+              settings.transparent_background && scene.lit_or_null() != nullptr);
   Progress progress(control, units.size());
   const auto cancelled = [&] { return control.cancel != nullptr && control.cancel->load(); };
 

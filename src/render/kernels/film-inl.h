@@ -90,6 +90,21 @@ HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec x, WordVec y, std::size_
   sums.drop(hn::CountTrue(Floats(), hn::AndNot(finite, counted)));
 }
 
+// values[i] = sums[i] * scale, rounded to double precision twice and then to single.
+HWY_ATTR void average_sums(const std::int64_t* sums, std::size_t count, double scale,
+                           float* values) {
+  const hn::CappedTag<double, 8> doubles;
+  const hn::RebindToSigned<decltype(doubles)> words;
+  const hn::Rebind<float, decltype(doubles)> floats;
+  const std::size_t lanes = hn::MaxLanes(doubles);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    const auto sum = hn::ConvertTo(doubles, hn::LoadU(words, sums + i));
+    hn::StoreU(hn::DemoteTo(floats, hn::Mul(sum, hn::Set(doubles, scale))), floats, values + i);
+  }
+  for (; i < count; ++i) values[i] = static_cast<float>(static_cast<double>(sums[i]) * scale);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace dapple
 HWY_AFTER_NAMESPACE();

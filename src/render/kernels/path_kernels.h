@@ -54,6 +54,8 @@ struct PathKernels {
                   TileSums&);
   // Adds all paths' throughput to the film, as if they saw white.
   void (*cut)(const PathArrays&, TileSums&);
+  // values[i] = sums[i] * scale.
+  void (*average)(const std::int64_t* sums, std::size_t count, double scale, float* values);
 };
 
 // Those of the instruction set in use (see accel/kernels/dispatch.h).

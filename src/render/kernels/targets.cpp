@@ -15,7 +15,7 @@ namespace dapple {
 namespace HWY_NAMESPACE {
 
 // Only a constant: dispatch.cpp of the traversal decides which of them the processor can run.
-constexpr PathKernels kPathKernels = {"", start_paths, scatter_paths, cut_paths};
+constexpr PathKernels kPathKernels = {"", start_paths, scatter_paths, cut_paths, average_sums};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace dapple
