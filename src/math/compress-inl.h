@@ -1,4 +1,5 @@
-// The lanes of a mask first, in their order; what stands behind them is anything.
+// The lanes of a mask first, in their order; behind them stand zeros or copies of lane 0, which
+// serve as an index where any of the others does.
 //
 // Not Highway's own: with gcc that copies its table of two kilobytes to the stack in each call for
 // what has no such instruction.
@@ -45,17 +46,32 @@ HWY_INLINE WordVec compress_lanes(WordVec v, std::uint32_t bits) {
   return WordVec{_mm256_permutevar8x32_epi32(v.raw, _mm256_srlv_epi32(order, shifts))};
 }
 
+#elif HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE WordVec compress_lanes(WordVec v, std::uint32_t) { return v; }
+
 #else
 
-HWY_INLINE WordVec compress_lanes(WordVec v, std::uint32_t bits) {
-  HWY_ALIGN std::uint32_t lanes[kLanes], result[kLanes] = {};
-  hn::Store(v, Words(), lanes);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    result[count] = lanes[i];
-    count += bits >> i & 1;
+// For each mask of four lanes: which byte goes to byte i.
+struct alignas(16) ByteOrders {
+  std::uint8_t of[16][16];
+
+  constexpr ByteOrders() : of{} {
+    for (std::uint32_t bits = 0; bits < 16; ++bits) {
+      for (std::uint8_t& byte : of[bits]) byte = 0x80;  // zero
+      std::uint32_t count = 0;
+      for (std::uint32_t byte = 0; byte < 16; ++byte) {
+        if ((bits >> (byte / 4) & 1) != 0) of[bits][count++] = static_cast<std::uint8_t>(byte);
+      }
+    }
   }
-  return hn::Load(Words(), result);
+};
+inline constexpr ByteOrders kByteOrders;
+
+HWY_INLINE WordVec compress_lanes(WordVec v, std::uint32_t bits) {
+  const hn::Repartition<std::uint8_t, Words> bytes;
+  const auto order = hn::Load(bytes, kByteOrders.of[bits]);
+  return hn::BitCast(Words(), hn::TableLookupBytes(hn::BitCast(bytes, v), order));
 }
 
 #endif

@@ -74,7 +74,7 @@ HWY_INLINE Real3 operator*(const Real3& a, const Real3& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 HWY_INLINE Real3 operator*(Real s, const Real3& a) { return {s * a.x, s * a.y, s * a.z}; }
-HWY_INLINE Real3 operator/(const Real3& a, Real s) { return {a.x / s, a.y / s, a.z / s}; }
+HWY_INLINE Real3 operator/(const Real3& a, Real s) { return (Real(1.0f) / s) * a; }
 HWY_INLINE Real dot(const Real3& a, const Real3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 HWY_INLINE Real3 cross(const Real3& a, const Real3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -60,9 +60,7 @@ HWY_INLINE FloatVec3 operator*(FloatVec3 a, FloatVec3 b) {
 HWY_INLINE FloatVec3 operator*(FloatVec s, FloatVec3 a) {
   return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
 }
-HWY_INLINE FloatVec3 operator/(FloatVec3 a, FloatVec s) {
-  return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)};
-}
+HWY_INLINE FloatVec3 operator/(FloatVec3 a, FloatVec s) { return hn::Div(all(1.0f), s) * a; }
 HWY_INLINE FloatVec dot(FloatVec3 a, FloatVec3 b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }

@@ -47,9 +47,10 @@ template <class T>
 constexpr Vec3<T> operator*(const Vec3<T>& a, T s) {
   return s * a;
 }
+// By the inverse, as one division takes longer than three products; the last bit may differ.
 template <class T>
 constexpr Vec3<T> operator/(const Vec3<T>& a, T s) {
-  return {a.x / s, a.y / s, a.z / s};
+  return (T{1} / s) * a;
 }
 
 template <class T>

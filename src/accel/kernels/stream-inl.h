@@ -1,8 +1,8 @@
 // Streams: thousands of rays that need not go the same way visit a tree of spheres together.
 //
 // All rays that enter a node are tested with one child after the other, a ray a lane [GribbleR08],
-// and each child gets the list of those that enter it. So no ray has a stack, and nothing is
-// sorted: rays of one octant of directions meet children in the order of that octant. As long as
+// and each child gets the list of those that enter it. So no ray has a stack or sorts
+// anything: rays of one octant of directions meet children in the order of that octant. As long as
 // the lists are long this takes half the time of tracing rays one by one; where they are short, as
 // in large clouds, more. Boxes are tested a little too large, which changes no hit: primitives have
 // the last word.
