@@ -3,7 +3,7 @@
 namespace dapple {
 
 Vec3f sky(const Vec3f& direction) {
-  const float t = 0.5f * (normalize(direction).y + 1.0f);
+  const float t = 0.5f * (direction.y / length(direction) + 1.0f);
   return (1.0f - t) * Vec3f(1, 1, 1) + t * Vec3f(0.5f, 0.7f, 1.0f);
 }
 
