@@ -1,9 +1,17 @@
 #include "harness/interleave.h"
 
+#include <chrono>
+#include <thread>
+
 namespace dapple::bench {
 namespace {
 
+// An OpenMP worker waits for more work in a loop, some 15 ms, before it sleeps; on the core of the
+// next task it would take half of that time from it.
+constexpr std::chrono::milliseconds kUntilWorkersSleep{50};
+
 Seconds run_once(const Task& task) {
+  std::this_thread::sleep_for(kUntilWorkersSleep);
   const CoreScope scope(task.cores);
   if (task.prepare) task.prepare();
   const Stopwatch stopwatch;
