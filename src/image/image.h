@@ -5,20 +5,32 @@
 #include <vector>
 
 #include "math/vec3.h"
+#include "util/unwritten_vector.h"
 
 namespace dapple {
 
 struct Image {
+  using Pixels = UnwrittenVector<Vec3f>;
+
   int width = 0;
   int height = 0;
-  std::vector<Vec3f> pixels;  // width * height; already multiplied by alpha
-  std::vector<float> alpha;   // as long, or empty: opaque
+  Pixels pixels;             // width * height; already multiplied by alpha
+  std::vector<float> alpha;  // as long, or empty: opaque
 
   Image() = default;
   Image(int width_, int height_)
       : width(width_),
         height(height_),
-        pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+        pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), Vec3f()) {}
+
+  // For who writes all pixels before any is read.
+  static Image unwritten(int width, int height) {
+    Image image;
+    image.width = width;
+    image.height = height;
+    image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    return image;
+  }
 
   const Vec3f& at(int x, int y) const { return pixels[index(x, y)]; }
   Vec3f& at(int x, int y) { return pixels[index(x, y)]; }

@@ -53,7 +53,7 @@ void Film::merge(const TileSums& tile) {
 }
 
 Image Film::to_image(int samples) {
-  Image image(width_, height_);
+  Image image = Image::unwritten(width_, height_);
   const auto columns = static_cast<std::size_t>(width_);
   parallel_for_dynamic(static_cast<std::size_t>(height_), [&](std::size_t row) {
     const std::size_t first = row * columns;

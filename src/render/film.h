@@ -102,7 +102,8 @@ class Film final : public TileTarget {
 // and to read again.
 class FinishedTiles final : public TileTarget {
  public:
-  FinishedTiles(int width, int height, int samples) : image_(width, height), samples_(samples) {}
+  FinishedTiles(int width, int height, int samples)
+      : image_(Image::unwritten(width, height)), samples_(samples) {}
 
   void merge(const TileSums& tile) override;
   Image to_image(int /*samples*/) override { return std::move(image_); }

@@ -8,6 +8,8 @@
 
 namespace dapple {
 
+inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
 // Anonymous memory, zero when first read; aligned to a huge page when it is at least one, else to
 // a cache line. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_pages(std::size_t bytes);

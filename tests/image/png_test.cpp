@@ -43,10 +43,10 @@ std::string make_png(int width, const std::vector<std::vector<png_byte>>& rows,
   return out;
 }
 
-std::vector<Vec3f> decoded(const std::string& file) {
+Image::Pixels decoded(const std::string& file) {
   const auto image = decode_image(to_bytes(file), {Transfer::gamma2});
   EXPECT_TRUE(image) << to_string(image.error());
-  return image ? image->pixels : std::vector<Vec3f>();
+  return image ? image->pixels : Image::Pixels();
 }
 
 // Gamma 2 is the curve that decoded() assumes for files that do not name theirs.
@@ -56,7 +56,7 @@ Vec3f linear(int r, int g, int b, int max = 255) {
   return {value(r), value(g), value(b)};
 }
 
-using Pixels = std::vector<Vec3f>;
+using Pixels = Image::Pixels;
 
 TEST(Png, EveryColourTypeAndDepth) {
   const auto make = [](int color_type, int bits, const std::vector<png_byte>& row) {

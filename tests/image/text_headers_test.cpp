@@ -25,7 +25,7 @@ Error error_of(const std::string& text) {
 Vec3f squares(float r, float g, float b) { return {r * r, g * g, b * b}; }
 
 TEST(Ppm, BinaryAndTextOfAnyMaximum) {
-  const std::vector<Vec3f> expected = {squares(0, 0.5f, 1), squares(1, 0, 0.5f)};
+  const Image::Pixels expected = {squares(0, 0.5f, 1), squares(1, 0, 0.5f)};
   EXPECT_EQ(decoded("P6\n2 1\n2\n\0\1\2\2\0\1"s).pixels, expected);
   EXPECT_EQ(decoded("P6 2 1 512\n\0\0\1\0\2\0\2\0\0\0\1\0"s).pixels, expected);
   EXPECT_EQ(decoded("P3\n2 1\n4\n0 2 4\n4 0 2\n").pixels, expected);
@@ -33,14 +33,14 @@ TEST(Ppm, BinaryAndTextOfAnyMaximum) {
 }
 
 TEST(Ppm, GreyFillsAllChannels) {
-  const std::vector<Vec3f> expected = {squares(0.5f, 0.5f, 0.5f), squares(1, 1, 1)};
+  const Image::Pixels expected = {squares(0.5f, 0.5f, 0.5f), squares(1, 1, 1)};
   EXPECT_EQ(decoded("P5\n2 1\n2\n\1\2"s).pixels, expected);
   EXPECT_EQ(decoded("P5\n1 2\n512\n\1\0\2\0"s).pixels, expected);
   EXPECT_EQ(decoded("P2\n2 1\n2\n1 2\n").pixels, expected);
 }
 
 TEST(Ppm, CommentsAndWhiteSpaceInTheHeader) {
-  const std::vector<Vec3f> expected = {squares(0.5f, 0, 1)};
+  const Image::Pixels expected = {squares(0.5f, 0, 1)};
   EXPECT_EQ(decoded("P6# by hand\n# more\n 1\t\r\n#5\n1 # one\n2\n\1\0\2"s).pixels, expected);
 }
 
@@ -67,11 +67,11 @@ TEST(Ppm, ErrorsNameTheByteAndTheReason) {
 }
 
 TEST(Pfm, BothByteOrdersGreyAndScale) {
-  const std::vector<Vec3f> expected = {{1, 2, 0.5f}};
+  const Image::Pixels expected = {{1, 2, 0.5f}};
   EXPECT_EQ(decoded("PF\n1 1\n-1\n\0\0\x80\x3f\0\0\0\x40\0\0\0\x3f"s).pixels, expected);
   EXPECT_EQ(decoded("PF\n1 1\n1.0\n\x3f\x80\0\0\x40\0\0\0\x3f\0\0\0"s).pixels, expected);
   EXPECT_EQ(decoded("PF 1 1 -0.5\n\0\0\0\x40\0\0\x80\x40\0\0\x80\x3f"s).pixels, expected);
-  const std::vector<Vec3f> bottom_first = {{2, 2, 2}, {1, 1, 1}};
+  const Image::Pixels bottom_first = {{2, 2, 2}, {1, 1, 1}};
   EXPECT_EQ(decoded("Pf\n1 2\n-1.000000\n\0\0\x80\x3f\0\0\0\x40"s).pixels, bottom_first);
 }
 
@@ -88,7 +88,7 @@ constexpr const char* kHdr = "#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\n"
 TEST(Hdr, FlatPixelsInEveryOrientation) {
   const std::string pixels = "\x80\0\0\x81\0\x80\0\x81\0\0\x80\x81\0\0\0\0"s;
   const Vec3f r{1, 0, 0}, g{0, 1, 0}, b{0, 0, 1}, k{0, 0, 0};
-  using Pixels = std::vector<Vec3f>;
+  using Pixels = Image::Pixels;
   EXPECT_EQ(decoded(kHdr + "\n-Y 2 +X 2\n"s + pixels).pixels, (Pixels{r, g, b, k}));
   EXPECT_EQ(decoded(kHdr + "\n-Y 2 -X 2\n"s + pixels).pixels, (Pixels{g, r, k, b}));
   EXPECT_EQ(decoded(kHdr + "\n+Y 2 +X 2\n"s + pixels).pixels, (Pixels{b, k, r, g}));
@@ -97,7 +97,7 @@ TEST(Hdr, FlatPixelsInEveryOrientation) {
 
 TEST(Hdr, ExposuresAreDividedOut) {
   const auto image = decoded(kHdr + "EXPOSURE=4\nEXPOSURE= 0.5\n\n-Y 1 +X 1\n\x80\x40\x20\x82"s);
-  EXPECT_EQ(image.pixels, (std::vector<Vec3f>{{1, 0.5f, 0.25f}}));
+  EXPECT_EQ(image.pixels, (Image::Pixels{{1, 0.5f, 0.25f}}));
 }
 
 TEST(Hdr, OldRunsRepeatThePixelBefore) {
