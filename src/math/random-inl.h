@@ -55,22 +55,27 @@ struct HalfCounters {
   CounterVec c0, c1, c2, c3;
 };
 
+// The upper halves as the lower; a shuffle, since on wide vectors shifts wait for the multiplier.
+HWY_INLINE CounterVec upper_halves(CounterVec v) {
+  return hn::BitCast(hn::RepartitionToWide<Words>(), hn::Shuffle2301(hn::BitCast(Words(), v)));
+}
+
 HWY_INLINE void philox_round(std::uint32_t key0, std::uint32_t key1, HalfCounters& c) {
   const hn::RepartitionToWide<Words> d64;
   const auto times = [&](CounterVec v, std::uint32_t factor) HWY_ATTR -> CounterVec {
     return hn::MulEven(hn::BitCast(Words(), v), all_words(factor));
   };
   const CounterVec product0 = times(c.c0, 0xD2511F53u), product1 = times(c.c2, 0xCD9E8D57u);
-  c.c0 = hn::Xor(hn::Xor(hn::ShiftRight<32>(product1), c.c1), hn::Set(d64, key0));
+  c.c0 = hn::Xor3(upper_halves(product1), c.c1, hn::Set(d64, key0));
   c.c1 = product1;
-  c.c2 = hn::Xor(hn::Xor(hn::ShiftRight<32>(product0), c.c3), hn::Set(d64, key1));
+  c.c2 = hn::Xor3(upper_halves(product0), c.c3, hn::Set(d64, key1));
   c.c3 = product0;
 }
 
 HWY_INLINE UniformVec4 uniform4(const RandomCounters& of) {
   const hn::RepartitionToWide<Words> d64;
   const auto even = [&](WordVec v) HWY_ATTR -> CounterVec { return hn::BitCast(d64, v); };
-  const auto odd = [&](WordVec v) HWY_ATTR -> CounterVec { return hn::ShiftRight<32>(even(v)); };
+  const auto odd = [&](WordVec v) HWY_ATTR -> CounterVec { return upper_halves(even(v)); };
   const CounterVec dimension = hn::Set(d64, of.dimension);
   HalfCounters evens = {even(of.x), even(of.y), even(of.sample), dimension};
   HalfCounters odds = {odd(of.x), odd(of.y), odd(of.sample), dimension};
@@ -84,7 +89,7 @@ HWY_INLINE UniformVec4 uniform4(const RandomCounters& of) {
   }
   const auto uniform = [&](CounterVec e, CounterVec o) HWY_ATTR -> FloatVec {
     return uniform_floats(
-        hn::OddEven(hn::BitCast(Words(), hn::ShiftLeft<32>(o)), hn::BitCast(Words(), e)));
+        hn::OddEven(hn::BitCast(Words(), upper_halves(o)), hn::BitCast(Words(), e)));
   };
   return {uniform(evens.c0, odds.c0), uniform(evens.c1, odds.c1), uniform(evens.c2, odds.c2),
           uniform(evens.c3, odds.c3)};

@@ -14,16 +14,16 @@ void ClassicPaths::render(SampleRange samples, TileOutput& output) const {
 }
 
 void ClassicPaths::render(SampleRange samples, TileSums& sums, PathBatch& batch) const {
-  const Tile& tile = sums.tile();
-  batch.reserve(static_cast<std::size_t>(tile.pixel_count()) *
+  const PathUnit unit = {sums.tile(), samples};
+  batch.reserve(static_cast<std::size_t>(unit.tile.pixel_count()) *
                 static_cast<std::size_t>(samples.end - samples.begin));
   const PathKernels& kernels = path_kernels();
   const SurfaceView surfaces = scene_.surfaces();
   PathArrays& paths = batch.arrays();
-  kernels.start(camera_.frame(), tile, samples, settings_.seed, paths);
+  kernels.start(camera_.frame(), unit, settings_.seed, paths);
   for (int scatterings = 0; scatterings < settings_.max_scatterings; ++scatterings) {
     scene_.accel().intersect({paths.rays, paths.count}, {paths.hits, paths.count});
-    kernels.scatter(surfaces, scattering_dimension(scatterings), settings_.seed, paths, sums);
+    kernels.scatter(surfaces, unit, scattering_dimension(scatterings), settings_.seed, paths, sums);
   }
   // What is cut contributes white.
   kernels.cut(paths, sums);

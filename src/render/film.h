@@ -29,7 +29,8 @@ struct Tile {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
   int width() const { return x1 - x0; }
-  int pixel_count() const { return width() * (y1 - y0); }
+  int height() const { return y1 - y0; }
+  int pixel_count() const { return width() * height(); }
 };
 
 // Sums of one tile, filled by one thread.

@@ -4,7 +4,7 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kBytesPerPath =
-    sizeof(Ray) + sizeof(Hit) + 3 * sizeof(float) + 3 * sizeof(std::uint32_t);
+    sizeof(Ray) + sizeof(Hit) + 3 * sizeof(float) + sizeof(std::uint32_t);
 
 // The next array of `count` elements in the memory.
 template <class T>
@@ -25,9 +25,7 @@ void PathBatch::reserve(std::size_t capacity) {
   arrays_.rays = carve<Ray>(next, count);
   arrays_.hits = carve<Hit>(next, count);
   for (float*& channel : arrays_.throughput) channel = carve<float>(next, count);
-  arrays_.x = carve<std::uint32_t>(next, count);
-  arrays_.y = carve<std::uint32_t>(next, count);
-  arrays_.sample = carve<std::uint32_t>(next, count);
+  arrays_.place = carve<std::uint32_t>(next, count);
 }
 
 }  // namespace dapple

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kSmallestTileSide = 32;
 constexpr int kSamplesPerUnit = 4;
+static_assert(kSamplesPerUnit <= kMostSamples);
 // There are at least so many units, unless the picture is too small, for all threads to share.
 constexpr std::int64_t kUnitsWanted = 64;
 

@@ -31,11 +31,13 @@ struct alignas(64) Packet {
   static constexpr int kPrimWork = 1 + static_cast<int>(kSize / 16);
 
   float origin[3][kSize], direction[3][kSize], inverse[3][kSize];
-  float t_min[kSize], inverse_dot[kSize];
+  float t_min[kSize];
+  float inverse_dot[kSize];  // filled in when the first sphere is near: divisions take long
   float shear[2][kSize];
   float best_t[kSize];  // negative for a ray that looks for nothing more
   std::uint32_t best_prim[kSize];
   std::uint32_t best_leaf[kSize], best_lane[kSize];  // ChildRef bits, lane in it
+  bool has_inverse_dot;
 };
 
 // What all rays of a packet have in common.
@@ -91,6 +93,7 @@ HWY_INLINE void fill(const Ray* from, Packet& packet, PacketBounds& bounds) {
   const Floats d;
   const Words w;
   WordMask same_axis = hn::FirstN(w, kLanes);
+  packet.has_inverse_dot = false;
   for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
     // The next packet's, most likely; two rays a cache line.
     for (std::size_t k = 0; k < kLanes; k += 2) __builtin_prefetch(from + Packet::kRays + i + k);
@@ -101,7 +104,6 @@ HWY_INLINE void fill(const Ray* from, Packet& packet, PacketBounds& bounds) {
       hn::Store(rays.inverse[axis], d, packet.inverse[axis] + i);
     }
     hn::Store(rays.t_min, d, packet.t_min + i);
-    hn::Store(rays.inverse_dot, d, packet.inverse_dot + i);
     hn::Store(rays.t_max, d, packet.best_t + i);
     hn::Store(hn::Set(w, kNoPrim), w, packet.best_prim + i);
     if (kKinds == LeafKinds::spheres) continue;
@@ -111,6 +113,18 @@ HWY_INLINE void fill(const Ray* from, Packet& packet, PacketBounds& bounds) {
     for (std::size_t k = 0; k < 2; ++k) hn::Store(frames.shear[k], d, packet.shear[k] + i);
   }
   bounds.one_axis = hn::AllTrue(w, same_axis);
+}
+
+template <class Packet>
+HWY_INLINE void fill_inverse_dot(Packet& packet) {
+  if (packet.has_inverse_dot) return;
+  packet.has_inverse_dot = true;
+  for (std::size_t i = 0; i < Packet::kRays; i += kLanes) {
+    const FloatVec direction[3] = {load_floats(packet.direction[0] + i),
+                                   load_floats(packet.direction[1] + i),
+                                   load_floats(packet.direction[2] + i)};
+    hn::Store(hn::Div(all(1.0f), squared_length(direction)), Floats(), packet.inverse_dot + i);
+  }
 }
 
 // The earliest and latest distances at which any ray of the packet crosses planes of one axis.

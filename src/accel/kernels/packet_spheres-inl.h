@@ -63,6 +63,7 @@ template <bool kAnyHit, class Packet>
 HWY_INLINE int visit_spheres(const PacketBounds& bounds, ChildRef ref, const LeafRow* leaf,
                              Packet& packet) {
   const std::uint32_t* ids = leaf[leaf_id_row(ShapeKind::sphere)].words;
+  fill_inverse_dot(packet);
   return meet_candidates<kAnyHit>(
       candidate_spheres(bounds, leaf), ref, ids, packet, [&](std::uint32_t lane) HWY_ATTR {
         return [&packet, sphere = spread_sphere(leaf, lane)](std::size_t i)

@@ -30,6 +30,10 @@ HWY_INLINE void load_numbers(const Ray* from, RayLanes& rays) {
   rays.t_max = directions.of[3];
 }
 
+HWY_INLINE FloatVec squared_length(const FloatVec (&v)[3]) {
+  return hn::Add(hn::Add(hn::Mul(v[0], v[0]), hn::Mul(v[1], v[1])), hn::Mul(v[2], v[2]));
+}
+
 HWY_INLINE RayLanes load_rays(const Ray* from) {
   const Floats d;
   const FloatVec zero = hn::Zero(d), smallest = all(kSmallestDirection);
@@ -42,10 +46,9 @@ HWY_INLINE RayLanes load_rays(const Ray* from) {
                                             hn::CopySign(smallest, direction), direction);
     rays.inverse[axis] = hn::Div(all(1.0f), divisor);
   }
-  const FloatVec *o = rays.origin, *v = rays.direction;
+  const FloatVec* o = rays.origin;
   const FloatVec origin_size = hn::Add(hn::Add(hn::Abs(o[0]), hn::Abs(o[1])), hn::Abs(o[2]));
-  const FloatVec squared =
-      hn::Add(hn::Add(hn::Mul(v[0], v[0]), hn::Mul(v[1], v[1])), hn::Mul(v[2], v[2]));
+  const FloatVec squared = squared_length(rays.direction);
   rays.inverse_dot = hn::Div(all(1.0f), squared);
   rays.t_min = hn::IfThenElse(hn::Gt(rays.t_min, zero), rays.t_min, zero);
   const FloatMask usable =

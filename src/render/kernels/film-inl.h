@@ -49,6 +49,32 @@ HWY_INLINE void sum_words(const FilmLanes& lanes, std::size_t count, std::int64_
   }
 }
 
+// So many lanes often are of pixels side by side, see start_pixels.
+inline constexpr std::size_t kRun = kLanes < 8 ? kLanes : 8;
+
+HWY_INLINE bool make_runs(WordVec pixel) {
+  const WordVec lane = words_from(0), in_run = hn::And(lane, all_words(kRun - 1));
+  const auto first = hn::IndicesFromVec(Words(), hn::Sub(lane, in_run));
+  const WordVec run = hn::Add(hn::TableLookupLanes(pixel, first), in_run);
+  return hn::AllTrue(Words(), hn::Eq(pixel, run));
+}
+
+// sum_words where they are.
+HWY_INLINE void sum_runs(const FilmLanes& lanes, std::int64_t* sums) {
+  const hn::CappedTag<std::uint64_t, kRun> wide;
+  const hn::Rebind<std::uint32_t, decltype(wide)> words;
+  HWY_ALIGN std::uint32_t steps[3 * kLanes];
+  const auto channel = [&](int i) HWY_ATTR -> WordVec { return hn::Load(Words(), lanes.steps[i]); };
+  hn::StoreInterleaved3(channel(0), channel(1), channel(2), Words(), steps);
+  for (std::size_t run = 0; run < kLanes; run += kRun) {
+    auto* to = reinterpret_cast<std::uint64_t*>(sums) + std::size_t{3} * lanes.index[run];
+    for (std::size_t i = 0; i < 3 * kRun; i += hn::MaxLanes(wide)) {
+      const auto more = hn::PromoteTo(wide, hn::LoadU(words, steps + 3 * run + i));
+      hn::StoreU(hn::Add(hn::LoadU(wide, to + i), more), wide, to + i);
+    }
+  }
+}
+
 HWY_INLINE void sum_large(const FilmLanes& lanes, std::size_t count, std::int64_t* sums) {
   for (std::size_t i = 0; i < count; ++i) {
     std::int64_t* pixel = sums + std::size_t{3} * lanes.index[i];
@@ -65,17 +91,12 @@ HWY_INLINE FloatMask is_too_bright(FloatVec3 radiance) {
                 hn::Or(hn::Gt(radiance.y, most), hn::Gt(radiance.z, most)));
 }
 
-// Adds the first `count` lanes.
-HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec x, WordVec y, std::size_t count,
-                            TileSums& sums) {
-  const Tile& tile = sums.tile();
+// Adds the first `count` lanes to pixels with these numbers.
+HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec pixel, std::size_t count, TileSums& sums) {
   const FloatMask finite =
       hn::And(is_finite(radiance.x), hn::And(is_finite(radiance.y), is_finite(radiance.z)));
   FilmLanes lanes;
-  const WordVec row = hn::Sub(y, all_words(static_cast<std::uint32_t>(tile.y0)));
-  const WordVec column = hn::Sub(x, all_words(static_cast<std::uint32_t>(tile.x0)));
-  const WordVec width = all_words(static_cast<std::uint32_t>(tile.width()));
-  hn::Store(hn::Add(hn::Mul(row, width), column), Words(), lanes.index);
+  hn::Store(pixel, Words(), lanes.index);
   const FloatMask large = hn::Or(store_channel(radiance.x, finite, 0, lanes),
                                  hn::Or(store_channel(radiance.y, finite, 1, lanes),
                                         store_channel(radiance.z, finite, 2, lanes)));
@@ -84,6 +105,8 @@ HWY_INLINE void add_to_film(FloatVec3 radiance, WordVec x, WordVec y, std::size_
     sum_large(lanes, count, sums.steps());
     const FloatMask added = hn::And(finite, counted);
     sums.cut(hn::CountTrue(Floats(), hn::And(added, is_too_bright(radiance))));
+  } else if (count == kLanes && make_runs(pixel)) {
+    sum_runs(lanes, sums.steps());
   } else {
     sum_words(lanes, count, sums.steps());
   }

@@ -21,15 +21,25 @@ struct SampleRange {
   int end = 0;
 };
 
+// What paths are started for together: at most kMostColumns by kMostRows pixels and kMostSamples
+// samples of each.
+struct PathUnit {
+  Tile tile;
+  SampleRange samples;
+};
+
+// Which pixel and sample of its unit a path belongs to, in one word.
+inline constexpr int kColumnBits = 12, kRowBits = 12, kSampleBits = 8;
+inline constexpr int kMostColumns = 1 << kColumnBits, kMostRows = 1 << kRowBits;
+inline constexpr int kMostSamples = 1 << kSampleBits;
+
 // Paths in flight as arrays on 64-byte boundaries; element i of each belongs to path i. There is
 // room for kPathPadding elements beyond `count`, with finite numbers.
 struct PathArrays {
   Ray* rays;
   Hit* hits;
   float* throughput[3];
-  std::uint32_t* x;
-  std::uint32_t* y;
-  std::uint32_t* sample;
+  std::uint32_t* place;  // column, row and sample from the unit's first ones, lowest bits first
   std::size_t count;
 };
 inline constexpr std::size_t kPathPadding = 32;
@@ -47,11 +57,11 @@ struct SurfaceView {
 struct PathKernels {
   std::string_view isa;  // as in accel/kernels/dispatch.h
   // Starts a path for each sample of each pixel.
-  void (*start)(const CameraFrame&, const Tile&, SampleRange, std::uint64_t seed, PathArrays&);
+  void (*start)(const CameraFrame&, const PathUnit&, std::uint64_t seed, PathArrays&);
   // Adds the sky to the film for paths that hit nothing, turns the others' rays into scattered ones
   // and drops those that were absorbed. The order of the paths changes.
-  void (*scatter)(const SurfaceView&, std::uint32_t dimension, std::uint64_t seed, PathArrays&,
-                  TileSums&);
+  void (*scatter)(const SurfaceView&, const PathUnit&, std::uint32_t dimension, std::uint64_t seed,
+                  PathArrays&, TileSums&);
   // Adds all paths' throughput to the film, as if they saw white.
   void (*cut)(const PathArrays&, TileSums&);
   // values[i] = sums[i] * scale.

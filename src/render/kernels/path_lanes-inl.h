@@ -17,8 +17,17 @@ namespace HWY_NAMESPACE {
 
 struct PathVec {
   FloatVec3 origin, direction, throughput;
-  WordVec x, y, sample;
+  WordVec place;
 };
+
+// Column, row and sample, counted from the unit's first ones.
+HWY_INLINE WordVec columns_of(WordVec place) { return hn::And(place, all_words(kMostColumns - 1)); }
+HWY_INLINE WordVec rows_of(WordVec place) {
+  return hn::And(hn::ShiftRight<kColumnBits>(place), all_words(kMostRows - 1));
+}
+HWY_INLINE WordVec samples_of(WordVec place) {
+  return hn::ShiftRight<kColumnBits + kRowBits>(place);
+}
 
 // The first `count` lanes.
 HWY_INLINE FloatMask first_lanes(std::size_t count) { return hn::FirstN(Floats(), count); }
@@ -38,35 +47,28 @@ HWY_INLINE void store_rays(const PathVec& path, Ray* rays) {
 }
 
 HWY_INLINE PathVec load_paths(const PathArrays& paths, std::size_t i) {
-  const Words d;
   PathVec path;
   load_rays(paths.rays + i, path);
   path.throughput = {load_floats(paths.throughput[0] + i), load_floats(paths.throughput[1] + i),
                      load_floats(paths.throughput[2] + i)};
-  path.x = hn::Load(d, paths.x + i);
-  path.y = hn::Load(d, paths.y + i);
-  path.sample = hn::Load(d, paths.sample + i);
+  path.place = hn::Load(Words(), paths.place + i);
   return path;
 }
 
 // Writes whole vectors from element i on, where the padding or paths already read may be.
 HWY_INLINE void store_paths(const PathVec& path, const PathArrays& paths, std::size_t i) {
   const Floats df;
-  const Words dw;
   store_rays(path, paths.rays + i);
   hn::StoreU(path.throughput.x, df, paths.throughput[0] + i);
   hn::StoreU(path.throughput.y, df, paths.throughput[1] + i);
   hn::StoreU(path.throughput.z, df, paths.throughput[2] + i);
-  hn::StoreU(path.x, dw, paths.x + i);
-  hn::StoreU(path.y, dw, paths.y + i);
-  hn::StoreU(path.sample, dw, paths.sample + i);
+  hn::StoreU(path.place, Words(), paths.place + i);
 }
 
 // Lanes in the mask come first, in their order.
 HWY_INLINE PathVec compress(const PathVec& path, FloatMask mask) {
-  return {compress(path.origin, mask),     compress(path.direction, mask),
-          compress(path.throughput, mask), compress(path.x, mask),
-          compress(path.y, mask),          compress(path.sample, mask)};
+  return {compress(path.origin, mask), compress(path.direction, mask),
+          compress(path.throughput, mask), compress(path.place, mask)};
 }
 
 // Fields that fill up lane by lane, until they are taken as whole vectors. Many vectors at once:

@@ -27,26 +27,38 @@ HWY_INLINE FloatVec3 sky(FloatVec3 direction) {
           hn::Add(white, t)};
 }
 
-// Fields: direction 0, throughput 3, x 6, y 7.
-using MissQueue = LaneQueue<8>;
+// The number of a path's pixel in its tile.
+HWY_INLINE WordVec pixels_of(WordVec place, const Tile& tile) {
+  const WordVec width = all_words(static_cast<std::uint32_t>(tile.width()));
+  return hn::Add(hn::Mul(rows_of(place), width), columns_of(place));
+}
 
-// `count` of them from the i-th on.
-HWY_INLINE void add_misses(const MissQueue& misses, std::size_t i, std::size_t count,
-                           TileSums& sums) {
-  add_to_film(misses.vector_of(3, i) * sky(misses.vector_of(0, i)), misses.words_of(6, i),
-              misses.words_of(7, i), count, sums);
+// Fields: direction 0, throughput 3, place 6.
+using MissQueue = LaneQueue<7>;
+
+// The first `count` lanes.
+HWY_INLINE void add_misses(const PathVec& path, std::size_t count, TileSums& sums) {
+  add_to_film(path.throughput * sky(path.direction), pixels_of(path.place, sums.tile()), count,
+              sums);
+}
+
+HWY_INLINE PathVec miss_of(const MissQueue& misses, std::size_t i) {
+  PathVec path;
+  path.direction = misses.vector_of(0, i);
+  path.throughput = misses.vector_of(3, i);
+  path.place = misses.words_of(6, i);
+  return path;
 }
 
 HWY_INLINE void append_misses(const PathVec& path, FloatMask missed, MissQueue& misses) {
   const MissQueue::Appender append(misses, missed);
   append(0, path.direction);
   append(3, path.throughput);
-  append(6, path.x);
-  append(7, path.y);
+  append(6, path.place);
 }
 
-// Fields: origin 0, direction 3, throughput 6, x 9, y 10, sample 11, t 12, prim 13, lane 14 and 15.
-using HitQueue = LaneQueue<16>;
+// Fields: origin 0, direction 3, throughput 6, place 9, t 10, prim 11, lane 12 and 13.
+using HitQueue = LaneQueue<14>;
 
 struct HitWords {
   WordVec t, prim, low, high;
@@ -58,13 +70,11 @@ HWY_INLINE void append_hits(const PathVec& path, const HitWords& hit, FloatMask 
   append(0, path.origin);
   append(3, path.direction);
   append(6, path.throughput);
-  append(9, path.x);
-  append(10, path.y);
-  append(11, path.sample);
-  append(12, hit.t);
-  append(13, hit.prim);
-  append(14, hit.low);
-  append(15, hit.high);
+  append(9, path.place);
+  append(10, hit.t);
+  append(11, hit.prim);
+  append(12, hit.low);
+  append(13, hit.high);
 }
 
 // For each kind that occurs `there`, other lanes look up index 0 and are masked out.
@@ -96,27 +106,40 @@ HWY_INLINE MaterialVec materials_of(const SurfaceView& surfaces, const MaterialT
 struct Bounce {
   const SurfaceView& surfaces;
   const MaterialTable materials;
+  const PathUnit& unit;
   std::uint32_t dimension;
   std::uint64_t seed;
+
+  HWY_INLINE RandomCounters counters(WordVec place) const {
+    const auto from = [](int first, WordVec v) HWY_ATTR -> WordVec {
+      return hn::Add(all_words(static_cast<std::uint32_t>(first)), v);
+    };
+    return {from(unit.tile.x0, columns_of(place)), from(unit.tile.y0, rows_of(place)),
+            from(unit.samples.begin, samples_of(place)), dimension, seed};
+  }
 };
 
-// Scatters `count` paths of the queue from the i-th on and stores those that go on.
-HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::size_t i,
+HWY_INLINE PathVec path_of(const HitQueue& hits, std::size_t i) {
+  return {hits.vector_of(0, i), hits.vector_of(3, i), hits.vector_of(6, i), hits.words_of(9, i)};
+}
+HWY_INLINE HitWords hit_of(const HitQueue& hits, std::size_t i) {
+  return {hits.words_of(10, i), hits.words_of(11, i), hits.words_of(12, i), hits.words_of(13, i)};
+}
+
+// Scatters the first `count` lanes and stores those that go on.
+HWY_INLINE void scatter_hits(const Bounce& bounce, PathVec path, const HitWords& hit,
                              std::size_t count, PathArrays& paths) {
   const FloatVec zero = hn::Zero(Floats());
   const FloatMask there = first_lanes(count);
-  PathVec path = {hits.vector_of(0, i), hits.vector_of(3, i), hits.vector_of(6, i),
-                  hits.words_of(9, i),  hits.words_of(10, i), hits.words_of(11, i)};
-  const SurfacePointVec at = locate(bounce.surfaces.leaves, bounce.surfaces.instances,
-                                    {path.origin, path.direction, hits.floats_of(12, i),
-                                     hits.words_of(14, i), hits.words_of(15, i)});
+  const SurfacePointVec at =
+      locate(bounce.surfaces.leaves, bounce.surfaces.instances,
+             {path.origin, path.direction, floats_of_bits(hit.t), hit.low, hit.high});
   const FloatMask from_outside = hn::Lt(dot(path.direction, at.outward), zero);
   const FloatVec3 normal = select(from_outside, at.outward, -at.outward);
-  const MaterialVec material = materials_of(bounce.surfaces, bounce.materials, hits.words_of(13, i),
-                                            hits.words_of(15, i), there);
-  const ScatteredVec scattered =
-      scatter(material, {normalize(path.direction), normal, from_outside},
-              {path.x, path.y, path.sample, bounce.dimension, bounce.seed});
+  const MaterialVec material =
+      materials_of(bounce.surfaces, bounce.materials, hit.prim, hit.high, there);
+  const ScatteredVec scattered = scatter(
+      material, {normalize(path.direction), normal, from_outside}, bounce.counters(path.place));
   path.throughput = path.throughput * material.albedo;
   // Starting a little off the surface, on the side the ray leaves to, keeps it from being hit
   // again where single precision puts it on the wrong side.
@@ -130,14 +153,18 @@ HWY_INLINE void scatter_hits(const Bounce& bounce, const HitQueue& hits, std::si
   paths.count += hn::CountTrue(Floats(), goes_on);
 }
 
-HWY_ATTR void scatter_paths(const SurfaceView& surfaces, std::uint32_t dimension,
-                            std::uint64_t seed, PathArrays& paths, TileSums& sums) {
-  const Bounce bounce = {surfaces, {surfaces.materials, surfaces.material_count}, dimension, seed};
+HWY_ATTR void scatter_paths(const SurfaceView& surfaces, const PathUnit& unit,
+                            std::uint32_t dimension, std::uint64_t seed, PathArrays& paths,
+                            TileSums& sums) {
+  const Bounce bounce = {
+      surfaces, {surfaces.materials, surfaces.material_count}, unit, dimension, seed};
   HitQueue hits;
   MissQueue misses;
-  const auto add = [&](std::size_t i, std::size_t n) HWY_ATTR { add_misses(misses, i, n, sums); };
-  const auto scatter_on = [&](std::size_t i, std::size_t n)
-                              HWY_ATTR { scatter_hits(bounce, hits, i, n, paths); };
+  const auto add = [&](std::size_t i, std::size_t n)
+                       HWY_ATTR { add_misses(miss_of(misses, i), n, sums); };
+  const auto scatter_on = [&](std::size_t i, std::size_t n) HWY_ATTR {
+    scatter_hits(bounce, path_of(hits, i), hit_of(hits, i), n, paths);
+  };
   const std::size_t count = paths.count;
   paths.count = 0;  // never beyond what was read
   for (std::size_t i = 0; i < count; i += kLanes) {
@@ -147,6 +174,15 @@ HWY_ATTR void scatter_paths(const SurfaceView& surfaces, std::uint32_t dimension
                          hit.prim, hit.low, hit.high);
     const FloatMask there = first_lanes(count - i);
     const FloatMask none = float_mask(hn::Eq(hit.prim, all_words(kNoPrim)));
+    // Whole vectors need not wait.
+    if (hn::AllTrue(Floats(), hn::And(none, there))) {
+      add_misses(path, kLanes, sums);
+      continue;
+    }
+    if (hn::AllFalse(Floats(), none) && count - i >= kLanes) {
+      scatter_hits(bounce, path, hit, kLanes, paths);
+      continue;
+    }
     append_misses(path, hn::And(none, there), misses);
     append_hits(path, hit, hn::AndNot(none, there), hits);
     if (misses.full()) misses.take_vectors(add);
@@ -162,7 +198,7 @@ HWY_ATTR void cut_paths(const PathArrays& paths, TileSums& sums) {
     const FloatVec3 throughput = {load_floats(paths.throughput[0] + i),
                                   load_floats(paths.throughput[1] + i),
                                   load_floats(paths.throughput[2] + i)};
-    add_to_film(throughput, hn::Load(Words(), paths.x + i), hn::Load(Words(), paths.y + i),
+    add_to_film(throughput, pixels_of(hn::Load(Words(), paths.place + i), sums.tile()),
                 left < kLanes ? left : kLanes, sums);
   }
 }
