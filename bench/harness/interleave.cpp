@@ -11,9 +11,9 @@ namespace {
 constexpr std::chrono::milliseconds kUntilWorkersSleep{50};
 
 Seconds run_once(const Task& task) {
-  std::this_thread::sleep_for(kUntilWorkersSleep);
   const CoreScope scope(task.cores);
   if (task.prepare) task.prepare();
+  std::this_thread::sleep_for(kUntilWorkersSleep);
   const Stopwatch stopwatch;
   task.run();
   return stopwatch.elapsed();

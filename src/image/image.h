@@ -10,7 +10,7 @@
 namespace dapple {
 
 struct Image {
-  using Pixels = UnwrittenVector<Vec3f>;
+  using Pixels = UnwrittenVector<Vec3f>;  // Pixels(n) are not black but unwritten
 
   int width = 0;
   int height = 0;

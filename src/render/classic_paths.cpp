@@ -1,6 +1,19 @@
 #include "render/classic_paths.h"
 
+#include <stdexcept>
+
 namespace dapple {
+namespace {
+
+void check_size(const PathUnit& unit) {
+  if (unit.tile.width() <= kMostColumns && unit.tile.height() <= kMostRows &&
+      unit.samples.end - unit.samples.begin <= kMostSamples) {
+    return;
+  }
+  throw std::length_error("more pixels or samples than paths have room to count");
+}
+
+}  // namespace
 
 Vec3f sky(const Vec3f& direction) {
   const float t = 0.5f * (direction.y / length(direction) + 1.0f);
@@ -15,6 +28,7 @@ void ClassicPaths::render(SampleRange samples, TileOutput& output) const {
 
 void ClassicPaths::render(SampleRange samples, TileSums& sums, PathBatch& batch) const {
   const PathUnit unit = {sums.tile(), samples};
+  check_size(unit);
   batch.reserve(static_cast<std::size_t>(unit.tile.pixel_count()) *
                 static_cast<std::size_t>(samples.end - samples.begin));
   const PathKernels& kernels = path_kernels();

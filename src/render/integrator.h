@@ -21,7 +21,7 @@ class Integrator {
   virtual ~Integrator() = default;
 
   // Adds the samples of the range to every pixel of the output's tile. May be called from many
-  // threads at once.
+  // threads at once. Throws std::length_error beyond kMostColumns, kMostRows or kMostSamples.
   virtual void render(SampleRange samples, TileOutput& output) const = 0;
 
   // How many paths it is best given at once: as many as the second-level cache holds.

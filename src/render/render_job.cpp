@@ -9,6 +9,7 @@
 #include "render/camera_rays.h"
 #include "render/classic_paths.h"
 #include "render/film.h"
+#include "render/kernels/path_kernels.h"
 #include "render/light_paths.h"
 
 namespace dapple {

@@ -11,13 +11,14 @@
 
 namespace dapple {
 
-// Operator new, on huge pages where they fit in; memory that was freed serves again, unlike that of
-// a HugeArray, which the system clears anew.
+// Operator new, on huge pages where they fit in. Memory that was freed may serve again (of glibc,
+// up to 32 MiB), unlike that of a HugeArray, which the system clears anew.
 [[nodiscard]] void* allocate_unwritten(std::size_t bytes);
 
 template <class T>
 struct UnwrittenAllocator {
   static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   using value_type = T;
 
   UnwrittenAllocator() = default;

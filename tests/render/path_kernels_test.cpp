@@ -8,6 +8,8 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <span>
+#include <stdexcept>
 #include <string>
 
 #include "accel/kernels/dispatch.h"
@@ -137,8 +139,16 @@ Scene random_scene(std::mt19937_64& random, int object_count, int material_count
   return scene;
 }
 
-// Both ways of rendering some tiles, on every instruction set, and with compact leaves.
-void expect_scalar_sums(const Scene& scene, const std::string& name) {
+struct Part {
+  Tile tile;
+  SampleRange samples = {1, 3};
+};
+
+const Part kSmallParts[] = {{{0, 0, 61, 47}}, {{7, 3, 8, 4}}, {{30, 20, 47, 29}}};
+
+// Both ways of rendering some parts, on every instruction set, and with compact leaves.
+void expect_scalar_sums(const Scene& scene, const std::string& name,
+                        std::span<const Part> parts = kSmallParts) {
   RenderSettings settings;
   settings.width = 61;
   settings.height = 47;
@@ -152,14 +162,14 @@ void expect_scalar_sums(const Scene& scene, const std::string& name) {
   ASSERT_TRUE(camera);
   const ScalarPaths scalar(prepared, *camera, settings);
   const ClassicPaths both_paths[] = {{prepared, *camera, settings}, {compact, *camera, settings}};
-  for (const Tile& tile : {Tile{0, 0, 61, 47}, Tile{7, 3, 8, 4}, Tile{30, 20, 47, 29}}) {
-    TileSums expected(tile);
-    scalar.render({1, 3}, expected);
+  for (const Part& part : parts) {
+    TileSums expected(part.tile);
+    scalar.render(part.samples, expected);
     for (const std::string_view isa : available_isas()) {
       ASSERT_TRUE(force_isa(isa));
       for (const ClassicPaths& paths : both_paths) {
-        TileOutput output{TileSums(tile), std::nullopt};
-        paths.render({1, 3}, output);
+        TileOutput output{TileSums(part.tile), std::nullopt};
+        paths.render(part.samples, output);
         const TileSums& sums = output.colour;
         EXPECT_EQ(sums.dropped(), expected.dropped()) << name << ", " << isa;
         EXPECT_EQ(sums.cut_count(), expected.cut_count()) << name << ", " << isa;
@@ -193,6 +203,31 @@ TEST(PathKernels, AgreeWithTheScalarDefinitionsOnKnownScenes) {
   for (const PictureScene& scene : picture_scenes()) expect_scalar_sums(scene.scene, scene.name);
   for (const char* name : {"nice", "irreg:20", "rgbbox", "empty", "spheres:500"}) {
     expect_scalar_sums(make_named_scene(name).value(), name);
+  }
+}
+
+// As many columns, rows and samples as a path's word can tell apart.
+TEST(PathKernels, AgreeWithTheScalarDefinitionsOnTheLargestParts) {
+  const Part parts[] = {{{3, 5, 3 + kMostColumns, 7}, {0, 1}},
+                        {{3, 5, 5, 5 + kMostRows}, {2, 3}},
+                        {{29, 23, 32, 26}, {7, 7 + kMostSamples}},
+                        {{0, 0, 128, 64}, {0, 1}}};
+  expect_scalar_sums(make_named_scene("nice").value(), "nice", parts);
+}
+
+TEST(PathKernels, LargerPartsAreRefused) {
+  const Scene scene = make_named_scene("empty").value();
+  const RenderSettings settings;
+  const PreparedScene prepared(scene, make_accel(AccelKind::fast, scene));
+  const auto camera = CameraRays::create(scene.camera, settings);
+  ASSERT_TRUE(camera);
+  const ClassicPaths paths(prepared, *camera, settings);
+  const Part parts[] = {{{0, 0, kMostColumns + 1, 1}, {0, 1}},
+                        {{0, 0, 1, kMostRows + 1}, {0, 1}},
+                        {{0, 0, 1, 1}, {0, kMostSamples + 1}}};
+  for (const Part& part : parts) {
+    TileOutput output{TileSums(part.tile), std::nullopt};
+    EXPECT_THROW(paths.render(part.samples, output), std::length_error);
   }
 }
 

@@ -32,7 +32,7 @@ struct alignas(64) Packet {
 
   float origin[3][kSize], direction[3][kSize], inverse[3][kSize];
   float t_min[kSize];
-  float inverse_dot[kSize];  // filled in when the first sphere is near: divisions take long
+  float inverse_dot[kSize];  // filled in at the first leaf of spheres: divisions take long
   float shear[2][kSize];
   float best_t[kSize];  // negative for a ray that looks for nothing more
   std::uint32_t best_prim[kSize];

@@ -24,8 +24,9 @@ HWY_INLINE void generate(const CameraFrame& camera, WordVec x, WordVec y, const 
       all(camera.corner) + column * all(camera.per_column) + row * all(camera.per_row) - offset;
 }
 
-// The rays of 64 paths in a row go much the same way, which the traversal makes use of: all samples
-// of few pixels, in blocks as high as wide, before the next ones.
+// The rays of 64 paths in a row go much the same way, which the traversal makes use of: strips of
+// so many columns, all samples of a row (with 16 lanes, of two) before the next. With one sample
+// these are squares.
 inline constexpr std::uint32_t kBlockSide = 8;
 
 // Lanes cover some columns of a block and, if there are more, its next rows.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -34,7 +35,7 @@ inline constexpr int kMostColumns = 1 << kColumnBits, kMostRows = 1 << kRowBits;
 inline constexpr int kMostSamples = 1 << kSampleBits;
 
 // Paths in flight as arrays on 64-byte boundaries; element i of each belongs to path i. There is
-// room for kPathPadding elements beyond `count`, with finite numbers.
+// room for kPathPadding elements beyond all that were ever started, with finite numbers.
 struct PathArrays {
   Ray* rays;
   Hit* hits;
