@@ -12,7 +12,7 @@ namespace {
 
 // Surfaces that a shadow ray may pass through.
 constexpr int kMaxShadowPassages = 32;
-// The rays of 64 paths in a row should go much the same way, see kBlockSide in camera-inl.h;
+// The rays of 64 paths in a row should go much the same way, see kStripColumns;
 // of meshes, squares of eight columns are as fast.
 constexpr int kColumns = 16;
 

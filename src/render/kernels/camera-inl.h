@@ -1,5 +1,6 @@
 // CameraRays::generate for one sample a lane.
 #include "math/warps-inl.h"
+#include "render/kernels/film-inl.h"
 #include "render/kernels/path_lanes-inl.h"
 
 #if defined(DAPPLE_RENDER_CAMERA_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -24,13 +25,8 @@ HWY_INLINE void generate(const CameraFrame& camera, WordVec x, WordVec y, const 
       all(camera.corner) + column * all(camera.per_column) + row * all(camera.per_row) - offset;
 }
 
-// The rays of 64 paths in a row go much the same way, which the traversal makes use of: strips of
-// so many columns, all samples of a row (with 16 lanes, of two) before the next. With one sample
-// these are squares.
-inline constexpr std::uint32_t kBlockSide = 8;
-
-// Lanes cover some columns of a block and, if there are more, its next rows.
-inline constexpr std::uint32_t kLaneColumns = kLanes < kBlockSide ? kLanes : kBlockSide;
+// Lanes cover some columns of a strip and, if there are more, its next rows.
+inline constexpr std::uint32_t kLaneColumns = kPixelRun;
 inline constexpr std::uint32_t kLaneRows = kLanes / kLaneColumns;
 static_assert(kLaneRows == 1 || kLaneColumns == 1 << 3);
 
@@ -68,11 +64,11 @@ HWY_ATTR void start_paths(const CameraFrame& camera, const PathUnit& unit, std::
   const auto height = static_cast<std::uint32_t>(unit.tile.height());
   const auto samples = static_cast<std::uint32_t>(unit.samples.end - unit.samples.begin);
   paths.count = 0;
-  for (std::uint32_t block = 0; block < width; block += kBlockSide) {
+  for (std::uint32_t strip = 0; strip < width; strip += kStripColumns) {
     for (std::uint32_t row = 0; row < height; row += kLaneRows) {
       for (std::uint32_t sample = 0; sample < samples; ++sample) {
-        for (std::uint32_t i = 0; i < kBlockSide && block + i < width; i += kLaneColumns) {
-          start_pixels(camera, unit, {block + i, row, sample}, seed, paths);
+        for (std::uint32_t i = 0; i < kStripColumns && strip + i < width; i += kLaneColumns) {
+          start_pixels(camera, unit, {strip + i, row, sample}, seed, paths);
         }
       }
     }

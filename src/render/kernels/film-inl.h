@@ -1,6 +1,7 @@
 // TileSums::add for one sample a lane.
 #include "math/simd-inl.h"
 #include "render/film.h"
+#include "render/kernels/path_kernels.h"
 
 #if defined(DAPPLE_RENDER_FILM_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef DAPPLE_RENDER_FILM_INL_H
@@ -49,11 +50,11 @@ HWY_INLINE void sum_words(const FilmLanes& lanes, std::size_t count, std::int64_
   }
 }
 
-// So many lanes often are of pixels side by side, see start_pixels.
-inline constexpr std::size_t kRun = kLanes < 8 ? kLanes : 8;
+// So many lanes start as pixels side by side, and often end as them.
+inline constexpr std::size_t kPixelRun = kLanes < kStripColumns ? kLanes : kStripColumns;
 
 HWY_INLINE bool make_runs(WordVec pixel) {
-  const WordVec lane = words_from(0), in_run = hn::And(lane, all_words(kRun - 1));
+  const WordVec lane = words_from(0), in_run = hn::And(lane, all_words(kPixelRun - 1));
   const auto first = hn::IndicesFromVec(Words(), hn::Sub(lane, in_run));
   const WordVec run = hn::Add(hn::TableLookupLanes(pixel, first), in_run);
   return hn::AllTrue(Words(), hn::Eq(pixel, run));
@@ -61,14 +62,14 @@ HWY_INLINE bool make_runs(WordVec pixel) {
 
 // sum_words where they are.
 HWY_INLINE void sum_runs(const FilmLanes& lanes, std::int64_t* sums) {
-  const hn::CappedTag<std::uint64_t, kRun> wide;
+  const hn::CappedTag<std::uint64_t, kPixelRun> wide;
   const hn::Rebind<std::uint32_t, decltype(wide)> words;
   HWY_ALIGN std::uint32_t steps[3 * kLanes];
   const auto channel = [&](int i) HWY_ATTR -> WordVec { return hn::Load(Words(), lanes.steps[i]); };
   hn::StoreInterleaved3(channel(0), channel(1), channel(2), Words(), steps);
-  for (std::size_t run = 0; run < kLanes; run += kRun) {
+  for (std::size_t run = 0; run < kLanes; run += kPixelRun) {
     auto* to = reinterpret_cast<std::uint64_t*>(sums) + std::size_t{3} * lanes.index[run];
-    for (std::size_t i = 0; i < 3 * kRun; i += hn::MaxLanes(wide)) {
+    for (std::size_t i = 0; i < 3 * kPixelRun; i += hn::MaxLanes(wide)) {
       const auto more = hn::PromoteTo(wide, hn::LoadU(words, steps + 3 * run + i));
       hn::StoreU(hn::Add(hn::LoadU(wide, to + i), more), wide, to + i);
     }

@@ -29,6 +29,11 @@ struct PathUnit {
   SampleRange samples;
 };
 
+// The rays of 64 paths in a row go much the same way, which the traversal makes use of: paths start
+// in strips of so many columns, all samples of a row (with 16 lanes, of two) before the next. With
+// one sample these are squares.
+inline constexpr std::uint32_t kStripColumns = 8;
+
 // Which pixel and sample of its unit a path belongs to, in one word.
 inline constexpr int kColumnBits = 12, kRowBits = 12, kSampleBits = 8;
 inline constexpr int kMostColumns = 1 << kColumnBits, kMostRows = 1 << kRowBits;
